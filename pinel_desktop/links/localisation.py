@@ -11,9 +11,9 @@ from pinel_desktop.robot import Pose2D, wrap_angle
 
 # one sigma of a pose whose message states none
 SIGMA_M, SIGMA_RAD = 0.05, math.radians(3.0)
-_LEAST_SIGMA, _MOST_SIGMA = 0.001, 3.0
+_MIN_SIGMA, _MAX_SIGMA = 0.001, 3.0
 _FARTHEST_M = 1e4
-_MOST_AGE_S = 1.0  # of a pose on its arrival; a larger difference is that of two clocks
+_MAX_AGE_S = 1.0  # of a pose on its arrival; a larger difference is that of two clocks
 
 
 class LocalisedPose(NamedTuple):
@@ -70,7 +70,7 @@ class Localisation:
         """Returns whether a pose is out of order; a robot's clock that was set back far starts again."""
         if stamp_s is None or self._stamp_s is None:
             return False
-        return 0.0 < self._stamp_s - stamp_s < _MOST_AGE_S
+        return 0.0 < self._stamp_s - stamp_s < _MAX_AGE_S
 
     def _problem(self, found: Localised) -> PinelError | None:
         if found.frame.strip("/") != self._frame:
@@ -100,7 +100,7 @@ def _root(variance: float) -> float | None:
 
 
 def _bounded(sigma: float | None, default: float) -> float:
-    return default if sigma is None else min(max(sigma, _LEAST_SIGMA), _MOST_SIGMA)
+    return default if sigma is None else min(max(sigma, _MIN_SIGMA), _MAX_SIGMA)
 
 
 def _age_s(stamp_s: float | None, robot_now_s: float | None) -> float:
@@ -108,4 +108,4 @@ def _age_s(stamp_s: float | None, robot_now_s: float | None) -> float:
     if stamp_s is None or robot_now_s is None:
         return 0.0
     age_s = robot_now_s - stamp_s
-    return age_s if 0.0 < age_s < _MOST_AGE_S else 0.0
+    return age_s if 0.0 < age_s < _MAX_AGE_S else 0.0

@@ -163,9 +163,10 @@ def moves_alike(before: tuple[Pose2D, Pose2D], after: tuple[Pose2D, Pose2D]) -> 
     seen, own = (after[n].relative_to(before[n]) for n in range(2))
     off_m = math.hypot(seen.x_m - own.x_m, seen.y_m - own.y_m)
     off_rad = abs(wrap_angle(seen.yaw_rad - own.yaw_rad))
-    way_m = math.hypot(own.x_m, own.y_m)
-    return off_m <= _DRIFT_M + _DRIFT_SHARE * way_m and off_rad <= _DRIFT_RAD + _DRIFT_SHARE * abs(
-        own.yaw_rad
+    moved_m = math.hypot(own.x_m, own.y_m)
+    return (
+        off_m <= _DRIFT_M + _DRIFT_SHARE * moved_m
+        and off_rad <= _DRIFT_RAD + _DRIFT_SHARE * abs(own.yaw_rad)
     )
 
 

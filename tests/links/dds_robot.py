@@ -11,6 +11,7 @@ import threading
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from cyclonedds.core import Policy, Qos
@@ -27,6 +28,8 @@ from tests.links.unicycle import Unicycle
 PERIOD_S = 0.01
 # the robot's start in the frame of its map
 START_ON_MAP = Pose2D(1.0, 2.0, math.pi / 2)
+# and on the floor under a camera
+START_ON_FLOOR = Pose2D(0.8, 1.5, 0.0)
 
 
 @dataclass
@@ -47,6 +50,8 @@ class Behaviour:
             `START_ON_MAP` in its map.
         localisation_frame: the frame that those poses name.
         localised_nan: they are NaN.
+        pose_file: a file with its true pose on a floor, renewed while it drives; empty for none.
+        slips: the share of its way ahead that it only believes to drive.
         relays: the robot's own one publishes commands, as a bridge to ROS 1.
         asks_for_last: it hears only who keeps the last command for it.
     """
@@ -67,6 +72,8 @@ class Behaviour:
     localisation: str = ""
     localisation_frame: str = "map"
     localised_nan: bool = False
+    pose_file: str = ""
+    slips: float = 0.0
 
 
 class DdsRobot:
@@ -121,6 +128,8 @@ class DdsRobot:
                 self._odometry.write(self._message())
             if self._localisation is not None:
                 self._localisation.write(self._localised())
+            if self.behaviour.pose_file:
+                self._write_pose(Path(self.behaviour.pose_file))
             self._publish_sensors()
             time.sleep(self.behaviour.period_s)
 
@@ -169,6 +178,14 @@ class DdsRobot:
         covariance = [0.0] * 36
         covariance[0], covariance[7], covariance[35] = 0.0004, 0.0001, 0.0009
         return m.PoseWithCovarianceStamped(header, m.PoseWithCovariance(pose, covariance))
+
+    def _write_pose(self, file: Path) -> None:
+        now = self.robot.report()
+        true_x_m = now.x_m * (1.0 - self.behaviour.slips)
+        pose = START_ON_FLOOR.compose(Pose2D(true_x_m, now.y_m, now.yaw_rad))
+        new = file.with_suffix(".new")
+        new.write_text(json.dumps(pose))
+        new.replace(file)
 
 
 def reader_of_last(session: Session, topic: str, message: type[IdlStruct]) -> "DataReader[Any]":

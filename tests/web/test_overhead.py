@@ -42,13 +42,13 @@ def test_a_trial_tells_what_the_camera_sees(app: App, teacher: Browser) -> None:
     assert teacher.post("/api/overhead/trial").data["error"]["code"] == "overhead_not_set_up"
     teacher.put("/api/overhead", MEASURES)
     assert teacher.post("/api/overhead/trial").data["code"] is None  # the camera starts
-    sees: dict[str, Any] = {
+    message: dict[str, Any] = {
         "age_s": 0.0,
         "missing": [],
         "markers": [1, 2, 3, 4, 5],
         "problem": None,
     }
-    app._overhead.receive({**sees, "pose": [1.0, 0.5, 0.0, 0.004, 0.01]})
+    app._overhead.receive({**message, "pose": [1.0, 0.5, 0.0, 0.004, 0.01]})
     seen = teacher.post("/api/overhead/trial").data
     assert (seen["code"], seen["params"]["x"], seen["markers"]) == (
         "overhead_seen",
@@ -56,7 +56,7 @@ def test_a_trial_tells_what_the_camera_sees(app: App, teacher: Browser) -> None:
         [1, 2, 3, 4, 5],
     )
     app._overhead.receive(
-        {**sees, "pose": None, "problem": "overhead_floor_missing", "missing": [3]}
+        {**message, "pose": None, "problem": "overhead_floor_missing", "missing": [3]}
     )
     seen = teacher.post("/api/overhead/trial").data
     assert "3" in seen["message"]

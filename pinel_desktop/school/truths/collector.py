@@ -76,7 +76,7 @@ class TruthCollector:
             self._problem = code
         if problem:
             _log.warning("a source of truth: %s", problem.code)
-        self._tell(run, "problem" if problem else "seeing", problem)
+        self._publish_state(run, "problem" if problem else "seeing", problem)
 
     def end(self) -> None:
         """Records what was seen, on a thread of its own: the end of a run waits for nothing."""
@@ -98,9 +98,9 @@ class TruthCollector:
         except StoreError:
             _log.exception("what a source of truth has seen is not recorded")
             return
-        self._tell(run, "recorded" if aligned else "nothing", None)
+        self._publish_state(run, "recorded" if aligned else "nothing", None)
 
-    def _tell(self, run: str, state: TruthState, problem: PinelError | None) -> None:
+    def _publish_state(self, run: str, state: TruthState, problem: PinelError | None) -> None:
         text = explain(problem, self._language()) if problem else None
         event = TruthSourceChanged(
             run=run,

@@ -12,7 +12,7 @@ from pinel_desktop.school.truths.collector import Language, Publish, TruthCollec
 from storage import Store
 
 # A localisation may report only after a movement, so silence is measured in movement.
-_SILENT_M, _SILENT_RAD = 1.0, math.radians(120.0)
+_TIMEOUT_M, _TIMEOUT_RAD = 1.0, math.radians(120.0)
 
 
 class LocalisationTruth:
@@ -23,12 +23,12 @@ class LocalisationTruth:
         self._accepted: tuple[Pose2D, Pose2D] | None = (
             None  # by the map, and by the robot's own estimate
         )
-        self._heard_at = Pose2D()
+        self._reported_at = Pose2D()
 
     def begin(self, run_id: str, robot: RobotProfile | None) -> None:
         """Follows the robot of a run that starts, if its localisation is read."""
         if isinstance(robot, RosProfile) and robot.localisation_topic:
-            self._accepted, self._heard_at = None, Pose2D()
+            self._accepted, self._reported_at = None, Pose2D()
             self._collector.begin(run_id)
 
     def observe(self, event: Mapping[str, Any]) -> None:
@@ -37,7 +37,7 @@ class LocalisationTruth:
             return
         if event["type"] == "telemetry":
             self._collector.observe(event)
-            self._check_silence(Pose2D(event["x_m"], event["y_m"], event["yaw_rad"]))
+            self._check_timeout(Pose2D(event["x_m"], event["y_m"], event["yaw_rad"]))
         elif event["type"] == "run_ended":
             self._collector.end()
 
@@ -53,14 +53,14 @@ class LocalisationTruth:
             return
         tick, believed = place
         x, y, yaw, sigma_m, sigma_rad = message["pose"]
-        pose, self._heard_at = Pose2D(x, y, yaw), believed
+        pose, self._reported_at = Pose2D(x, y, yaw), believed
         if self._accepted and not moves_alike(self._accepted, (pose, believed)):
             self._collector.report(PinelError("localisation_jumped"))
             return
         self._accepted = (pose, believed)
         self._collector.add(TruePose(tick, pose, sigma_m, sigma_rad))
 
-    def _check_silence(self, believed: Pose2D) -> None:
-        moved = believed.relative_to(self._heard_at)
-        if math.hypot(moved.x_m, moved.y_m) > _SILENT_M or abs(moved.yaw_rad) > _SILENT_RAD:
+    def _check_timeout(self, believed: Pose2D) -> None:
+        moved = believed.relative_to(self._reported_at)
+        if math.hypot(moved.x_m, moved.y_m) > _TIMEOUT_M or abs(moved.yaw_rad) > _TIMEOUT_RAD:
             self._collector.report(PinelError("localisation_silent"))

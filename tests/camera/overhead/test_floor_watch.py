@@ -86,8 +86,8 @@ def test_the_process_sends_where_the_robot_is(pictures: Path) -> None:
 def test_poses_are_recorded_in_the_start_frame_at_the_tick_of_their_picture(store: Store) -> None:
     settings, camera = Settings(), Camera()
     settings.choose(OVERHEAD, setting_of(OverheadSetup()))
-    told: list[Message] = []
-    truth = OverheadTruth(store, floor_camera(settings, camera), told.append, lambda: "en")
+    published: list[Message] = []
+    truth = OverheadTruth(store, floor_camera(settings, camera), published.append, lambda: "en")
     run = store.runs.begin(RunStart("dds", "room", WORLD, 1, "0.3", document=SQUARE)).id
     truth.begin(run)
     assert camera.setup == OverheadSetup().model_dump()
@@ -109,9 +109,9 @@ def test_poses_are_recorded_in_the_start_frame_at_the_tick_of_their_picture(stor
 
 
 def test_a_robot_that_is_covered_and_seen_again_is_told_once_each(store: Store) -> None:
-    settings, told = Settings(), list[Message]()
+    settings, published = Settings(), list[Message]()
     settings.choose(OVERHEAD, setting_of(OverheadSetup()))
-    truth = OverheadTruth(store, floor_camera(settings, Camera()), told.append, lambda: "en")
+    truth = OverheadTruth(store, floor_camera(settings, Camera()), published.append, lambda: "en")
     truth.begin("r")
     truth.observe(
         {"type": "telemetry", "run": "r", "tick": 1, "x_m": 0.0, "y_m": 0.0, "yaw_rad": 0.0}
@@ -120,11 +120,11 @@ def test_a_robot_that_is_covered_and_seen_again_is_told_once_each(store: Store) 
     seen = {"pose": [0.0, 0.0, 0.0, 0.003, 0.01], "age_s": 0.0, "problem": None, "missing": []}
     for message in (seen, missed, missed, seen):
         truth.receive(message)
-    assert [(event["state"], event["code"]) for event in told] == [
+    assert [(event["state"], event["code"]) for event in published] == [
         ("problem", "overhead_floor_missing"),
         ("seeing", None),
     ]
-    assert "2, 3" in told[0]["message"]
+    assert "2, 3" in published[0]["message"]
 
 
 def test_without_a_camera_above_the_floor_nothing_is_followed(store: Store) -> None:

@@ -30,8 +30,8 @@ class School:
 
     def __init__(self, store: Store) -> None:
         self.store = store
-        self.told: list[dict[str, Any]] = []
-        self.truth = LocalisationTruth(store, self.told.append, lambda: "en")
+        self.published: list[dict[str, Any]] = []
+        self.truth = LocalisationTruth(store, self.published.append, lambda: "en")
         self.run = store.runs.begin(RunStart("dds", "room", WORLD, 1, "0.3", document=SQUARE)).id
 
     def begin(self, robot: DdsProfile = LOCALISED) -> None:
@@ -61,7 +61,7 @@ class School:
         return [pose for truth in self.store.truths.of_run(self.run) for pose in truth.poses]
 
     def states(self) -> list[str]:
-        return [event["code"] or event["state"] for event in self.told] or [""]
+        return [event["code"] or event["state"] for event in self.published] or [""]
 
 
 @pytest.fixture
@@ -111,8 +111,8 @@ def test_a_localisation_of_another_frame_is_told_and_nothing_is_kept(school: Sch
     school.sample(1, 0.0)
     params = {"found": "odom", "wanted": "map"}
     school.truth.receive(school.message(code="localisation_other_frame", params=params))
-    assert "odom" in school.told[0]["message"]
-    assert school.told[0]["remedy"]
+    assert "odom" in school.published[0]["message"]
+    assert school.published[0]["remedy"]
     assert school.end() == []
     assert school.states() == ["localisation_other_frame", "nothing"]
 
@@ -122,7 +122,7 @@ def test_without_a_topic_nothing_is_followed(school: School) -> None:
     school.sample(1, 0.0)
     school.localise(0.0)
     school.truth.observe({"type": "run_ended", "run": school.run})
-    assert school.told == []
+    assert school.published == []
 
 
 @pytest.mark.waits

@@ -18,6 +18,7 @@ import type {
   SignsChangedEvent,
   Status,
   StreamEvent,
+  TruthSourceChangedEvent,
   World,
 } from "../api/model";
 import { type Language, language, setLanguage, texts } from "../i18n";
@@ -28,7 +29,6 @@ import { serverStatus } from "./first_answers";
 import { go, navigationBlocked, ROUTES, route } from "./route";
 import { choose, setting } from "./settings";
 import { openStream } from "./stream";
-import { receiveTruthSource } from "./truth_sources";
 
 /** State of the connection to the server. */
 export type Connection = "opening" | "failed" | "open" | "gone" | "locked";
@@ -168,8 +168,8 @@ interface CameraEventHandler {
   resync(): Promise<void>;
 }
 
-/** Receiver of the states of the real robots that this page watches. */
-type RobotEventHandler = (event: RobotStateChangedEvent) => void;
+/** Receiver of the states of the real robots that this page watches, and of the sources of truth of their runs. */
+type RobotEventHandler = (event: RobotStateChangedEvent | TruthSourceChangedEvent) => void;
 
 function onStream(
   event: StreamEvent,
@@ -190,6 +190,7 @@ function onStream(
       camera.receive(event);
       break;
     case "robot_state":
+    case "truth_source":
       robots(event);
       break;
     case "notice":
@@ -201,9 +202,6 @@ function onStream(
       break;
     case "cloud":
       cloud.value = event;
-      break;
-    case "truth_source":
-      receiveTruthSource(event);
       break;
     case "judged":
       judged.value = event;

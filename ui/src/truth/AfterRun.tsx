@@ -8,7 +8,7 @@ import { useLoaded } from "../kit/requests/useLoaded";
 import { live, liveRun } from "../run/live";
 import { SIMULATOR } from "../run/real/real_robot";
 import { isLive } from "../run/reducer";
-import { followedRun } from "../shell/truth_sources";
+import { followedRun } from "../run/real/truth_sources";
 import { truthChanges } from "./changes";
 import { TapeForm } from "./TapeForm";
 import { followedSentences, truthSentences } from "./words";

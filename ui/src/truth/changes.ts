@@ -1,5 +1,5 @@
 import { computed, signal } from "@preact/signals";
-import { recordedTruths } from "../shell/truth_sources";
+import { recordedTruths } from "../run/real/truth_sources";
 
 const typed = signal(0);
 

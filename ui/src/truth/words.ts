@@ -1,7 +1,7 @@
 import type { BelievedPose, Language, Truth, TruthList } from "../api/model";
 import type { Texts } from "../i18n";
 import { degrees, duration, headingDegrees, metres } from "../i18n/format";
-import type { FollowedRun } from "../shell/truth_sources";
+import type { FollowedRun } from "../run/real/truth_sources";
 
 type Place = BelievedPose;
 

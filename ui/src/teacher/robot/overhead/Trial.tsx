@@ -56,7 +56,7 @@ function Sightings() {
         <MarkersPicture seen={markers} />
         <ul class="overhead__sheets">
           {SHEETS.map((n) => (
-            <Sheet key={n} n={n} isSeen={markers.includes(n)} />
+            <Sheet key={n} n={n} isFound={markers.includes(n)} />
           ))}
         </ul>
         <p
@@ -84,13 +84,13 @@ function useTrial(sighting: Signal<OverheadSighting | null>): void {
   usePolling(() => ask().catch(() => {}), { everyMs: ASK_EACH_MS });
 }
 
-function Sheet({ n, isSeen }: { n: number; isSeen: boolean }) {
+function Sheet({ n, isFound }: { n: number; isFound: boolean }) {
   const { overhead: labels } = texts.value;
-  const Icon = isSeen ? CircleCheck : CircleDashed;
+  const Icon = isFound ? CircleCheck : CircleDashed;
   return (
-    <li class="row middle gap-2" data-testid="overhead-sheet" data-sheet={n} data-seen={isSeen}>
+    <li class="row middle gap-2" data-testid="overhead-sheet" data-sheet={n} data-seen={isFound}>
       <Icon class="icon" aria-hidden="true" />
-      {isSeen ? labels.seen({ n }) : labels.unseen({ n })}
+      {isFound ? labels.seen({ n }) : labels.unseen({ n })}
     </li>
   );
 }

@@ -1,5 +1,5 @@
 import { computed, signal } from "@preact/signals";
-import type { TruthSourceChangedEvent } from "../api/model";
+import type { TruthSourceChangedEvent } from "../../api/model";
 
 type Source = TruthSourceChangedEvent["source"];
 

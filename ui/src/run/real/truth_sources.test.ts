@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { TruthSourceChangedEvent } from "../api/model";
+import type { TruthSourceChangedEvent } from "../../api/model";
 import { followedRun, receiveTruthSource, recordedTruths } from "./truth_sources";
 
 const event = (change: Partial<TruthSourceChangedEvent>): TruthSourceChangedEvent => ({
