@@ -82,7 +82,7 @@ def test_a_run_seen_from_above_is_compared_by_the_camera(
 
     (camera,) = truths
     assert camera["source"] == "camera"
-    assert camera["covered_s"] > 4
+    assert camera["covered_s"] > 2
     end = camera["poses"][-1]
     assert end["x_m"] == pytest.approx((1 - SLIPS) * DISTANCE_M, abs=0.02)
     assert end["y_m"] == pytest.approx(0.0, abs=0.02)
@@ -90,4 +90,4 @@ def test_a_run_seen_from_above_is_compared_by_the_camera(
     assert prediction["difference"]["source"] == "camera"
     (finding,) = prediction["difference"]["findings"]
     assert (finding["block"], finding["source"]) == ("m", "camera")
-    assert finding["difference"] == pytest.approx(-SLIPS * DISTANCE_M, abs=0.03)
+    assert finding["difference"] == pytest.approx(-SLIPS * DISTANCE_M, abs=0.05)

@@ -1,7 +1,7 @@
 import { TriangleAlert } from "lucide-preact";
 import { live, liveRun } from "../run/live";
-import { isLive } from "../run/reducer";
 import { followedRun } from "../run/real/truth_sources";
+import { isLive } from "../run/reducer";
 
 /** While a run is live: why a source of truth does not see the robot now, and what to do. */
 export function SourceTrouble() {

@@ -39,7 +39,7 @@ it("tells for how long of the run a camera saw the robot", () => {
   const [first] = truthSentences(list, texts, "pt-BR");
   expect(first?.text.replaceAll("\u00a0", " ")).toBe(
     "Visto pela câmera do teto: na marca da partida, virado para a frente. " +
-      "A câmera viu o robô em 12 s dos 15 s da rodada.",
+      "A câmera viu o robô em 12,0 s dos 15,0 s da rodada.",
   );
 });
 
