@@ -4,11 +4,11 @@ import type { Point } from "../run/trail";
 /** Between poses that are farther apart, in steps of 1/30 s, the source saw nothing. */
 const GAP_TICKS = 15;
 /** The sources that see a robot while it drives, the better one first. */
-const ALONG_THE_WAY = ["camera", "localisation"] as const;
+const DURING_RUN = ["camera", "localisation"] as const;
 
 /** The source whose path is compared and drawn; undefined without one. */
 export const sourceOfPath = ({ truths }: TruthList): Truth | undefined =>
-  ALONG_THE_WAY.map((name) => truths.find(({ source }) => source === name)).find(
+  DURING_RUN.map((name) => truths.find(({ source }) => source === name)).find(
     (truth) => truth && duringRun(truth).length > 1,
   );
 

@@ -18,7 +18,7 @@ vi.mock("../../../camera/CameraChoice", () => ({ CameraChoice: () => null }));
 const { OverheadPart } = await import("./OverheadPart");
 
 const OFF: OverheadCamera = { is_on: false, width_m: 3, depth_m: 3, camera_m: 2.7, robot_m: 0.25 };
-const SEEN: OverheadSighting = {
+const SIGHTING: OverheadSighting = {
   code: "overhead_seen",
   params: {},
   message: "Robô: x 1,0 m.",
@@ -30,7 +30,7 @@ beforeEach(() => {
   for (const ask of Object.values(overheadApi)) ask.mockReset();
   overheadApi.get.mockResolvedValue(OFF);
   overheadApi.save.mockImplementation(async (measures) => ({ ...measures, is_on: true }));
-  overheadApi.tryOut.mockResolvedValue(SEEN);
+  overheadApi.tryOut.mockResolvedValue(SIGHTING);
   overheadApi.endTrial.mockResolvedValue({});
 });
 afterEach(cleanup);
