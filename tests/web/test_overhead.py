@@ -52,7 +52,7 @@ def test_a_trial_tells_what_the_camera_sees(app: App, teacher: Browser) -> None:
     seen = teacher.post("/api/overhead/trial").data
     assert (seen["code"], seen["params"]["x"], seen["markers"]) == (
         "overhead_seen",
-        "1.000",
+        1.0,
         [1, 2, 3, 4, 5],
     )
     app._overhead.receive(

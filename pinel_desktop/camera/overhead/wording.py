@@ -21,9 +21,9 @@ def wording(
         return None
     x, y, yaw, sigma_m, sigma_rad = pose
     return "overhead_seen", {
-        "x": f"{x:.3f}",
-        "y": f"{y:.3f}",
-        "heading": f"{math.degrees(yaw):.1f}",
-        "sigma_mm": f"{1000 * sigma_m:.0f}",
-        "sigma_deg": f"{math.degrees(sigma_rad):.1f}",
+        "x": round(x, 3),
+        "y": round(y, 3),
+        "heading": round(math.degrees(yaw), 1),
+        "sigma_mm": round(1000 * sigma_m),
+        "sigma_deg": round(math.degrees(sigma_rad), 1),
     }
