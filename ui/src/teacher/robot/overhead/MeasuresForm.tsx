@@ -1,7 +1,7 @@
 import { Check } from "lucide-preact";
 import { useState } from "preact/hooks";
 import type { OverheadCamera } from "../../../api/model";
-import { overheadApi } from "../../../api/overhead";
+import { overheadApi } from "../../../api/real_runs";
 import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Field } from "../../../kit/Field";

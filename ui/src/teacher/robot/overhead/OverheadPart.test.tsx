@@ -11,7 +11,7 @@ const overheadApi = {
   tryOut: vi.fn(),
   endTrial: vi.fn(),
 };
-vi.mock("../../../api/overhead", () => ({ overheadApi }));
+vi.mock("../../../api/real_runs", () => ({ overheadApi }));
 vi.mock("../../../camera/CameraPicture", () => ({ CameraPicture: () => null }));
 vi.mock("../../../camera/CameraChoice", () => ({ CameraChoice: () => null }));
 

@@ -1,6 +1,6 @@
 import { Power, Save } from "lucide-preact";
 import type { OverheadCamera } from "../../../api/model";
-import { overheadApi } from "../../../api/overhead";
+import { overheadApi } from "../../../api/real_runs";
 import { language, texts } from "../../../i18n";
 import { Button } from "../../../kit/Button";
 import { Loaded } from "../../../kit/requests/Loaded";

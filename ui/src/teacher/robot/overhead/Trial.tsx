@@ -2,7 +2,7 @@ import { type Signal, useSignal } from "@preact/signals";
 import { CircleCheck, CircleDashed, ScanSearch, Square } from "lucide-preact";
 import { useEffect } from "preact/hooks";
 import type { OverheadSighting } from "../../../api/model";
-import { overheadApi } from "../../../api/overhead";
+import { overheadApi } from "../../../api/real_runs";
 import { CameraChoice } from "../../../camera/CameraChoice";
 import { CameraPicture } from "../../../camera/CameraPicture";
 import { texts } from "../../../i18n";
