@@ -29,12 +29,14 @@ from pinel_desktop.school.detectors import Detectors
 from pinel_desktop.school.grading import Grader
 from pinel_desktop.school.live_checks import LiveChecks
 from pinel_desktop.school.opened_file import OpenedFile
-from pinel_desktop.school.overhead_truth import OverheadTruth
 from pinel_desktop.school.predictions import Predictions
 from pinel_desktop.school.robot_profiles import RobotProfiles
 from pinel_desktop.school.robot_status_feed import RobotStatusFeed
 from pinel_desktop.school.sign_teaching import SignTeaching
 from pinel_desktop.school.teacher import TeacherSessions
+from pinel_desktop.school.truths.floor_camera import FloorCamera
+from pinel_desktop.school.truths.localisation import LocalisationTruth
+from pinel_desktop.school.truths.overhead import OverheadTruth
 from pinel_desktop.settings import CAMERA, Settings
 from pinel_desktop.web.application import create_app
 from pinel_desktop.web.early_server import EarlyServer
@@ -206,13 +208,20 @@ class App:
     def _create_devices(self, undo: contextlib.ExitStack) -> None:
         """Creates engine, camera, and what belongs to them."""
         self._status_feed = RobotStatusFeed(self._hub.publish, lambda: self._settings.language)
+        self._localisation = LocalisationTruth(
+            self._store, self._hub.publish, lambda: self._settings.language
+        )
         self._engine = self._make_engine(
             self._on_engine_event,
             on_robot=self._status_feed.publish_state,
+            on_localised=self._localisation.receive,
             is_watched=self._is_watched,
         )
         undo.callback(self._engine.close)
-        self._overhead = OverheadTruth(self._store, self._settings)
+        self._floor_camera = FloorCamera(self._settings)
+        self._overhead = OverheadTruth(
+            self._store, self._floor_camera, self._hub.publish, lambda: self._settings.language
+        )
         self._camera = CameraClient(
             self._camera_source or self._settings[CAMERA],
             self._hub.publish,
@@ -221,7 +230,7 @@ class App:
             on_recognizer=lambda state: self._signs.refresh(),
             on_overhead=self._overhead.receive,
         )
-        self._overhead.use(self._camera)
+        self._floor_camera.use(self._camera)
         undo.callback(self._camera.close)
         self._signs = SignTeaching(
             self._store, self._camera, self._hub.publish, lambda: self._settings.language
@@ -275,6 +284,8 @@ class App:
             signs=self._signs,
             cloud=self._cloud,
             overhead=self._overhead,
+            floor_camera=self._floor_camera,
+            localisation=self._localisation,
             hub=self._hub,
             guard=self._guard,
             settings=self._settings,
@@ -304,6 +315,7 @@ class App:
         self._hub.publish(event)
         self._camera.observe(event)
         self._overhead.observe(event)
+        self._localisation.observe(event)
         self._live_checks.observe(event)
         if event["type"] == "run_ended":
             self._grader.grade(event["run"])

@@ -24,14 +24,13 @@ class FloorWatch:
     def watch(self, frame: StampedFrame) -> None:
         """Handles the next frame; its age is that of the picture when the message is sent."""
         sighting = self._tracker.update(frame.time_s, frame.raw.picture)
-        seen = sighting.seen
-        pose = [*seen.pose, seen.sigma_m, seen.sigma_rad] if seen else None
         self._send(
             {
                 "type": "overhead",
                 "age_s": time.monotonic() - frame.time_s,
-                "pose": pose,
+                "pose": sighting.pose_and_sigma,
                 "problem": sighting.problem,
                 "missing": list(sighting.missing),
+                "markers": list(sighting.markers),
             }
         )

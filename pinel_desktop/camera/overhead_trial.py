@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from pinel_desktop.camera.frames import OVERHEAD_SIZE, open_reader
 from pinel_desktop.camera.overhead.markers import OverheadSetup
 from pinel_desktop.camera.overhead.tracking import OverheadTracker, Sighting
+from pinel_desktop.camera.overhead.wording import CodeAndParams, wording
 
 _EVERY_S = 1.0  # at most so often a place is told
-CodeAndParams = tuple[str, dict[str, object]]
 
 
 def sightings(source: str, setup: OverheadSetup, seconds: float) -> Iterator[CodeAndParams]:
@@ -31,19 +31,4 @@ def sightings(source: str, setup: OverheadSetup, seconds: float) -> Iterator[Cod
 
 
 def _message(sighting: Sighting) -> CodeAndParams | None:
-    if sighting.problem:
-        return sighting.problem, {"markers": ", ".join(map(str, sighting.missing))}
-    if sighting.seen is None:
-        return None
-    (x, y, yaw), sigma_m, sigma_rad = (
-        sighting.seen.pose,
-        sighting.seen.sigma_m,
-        sighting.seen.sigma_rad,
-    )
-    return "overhead_seen", {
-        "x": f"{x:.3f}",
-        "y": f"{y:.3f}",
-        "heading": f"{math.degrees(yaw):.1f}",
-        "sigma_mm": f"{1000 * sigma_m:.0f}",
-        "sigma_deg": f"{math.degrees(sigma_rad):.1f}",
-    }
+    return wording(sighting.pose_and_sigma, sighting.problem, sighting.missing)

@@ -234,6 +234,8 @@ class _Session:
         if self._floor:
             self._floor.watch(frame)
             if self._desired.capture is None:  # hands would cost time
+                if self._desired.preview:
+                    self._publish(frame, [])
                 return
         hands = self._analyzer.analyze(frame.raw, both=self._waits_for_number)
         self._record(frame, hands)
@@ -259,6 +261,9 @@ class _Session:
                 }
             )
             self._desired = replace(self._desired, capture=None)
+        self._publish(frame, hands)
+
+    def _publish(self, frame: StampedFrame, hands: list[DetectedSign]) -> None:
         if frame.time_s - self._last_publish_s >= 1.0 / _PUBLISH_HZ:
             self._last_publish_s = frame.time_s
             self._send_sight(frame.raw.picture, hands)
@@ -309,10 +314,12 @@ class _Session:
         }
 
     def _shown(self, picture: Picture) -> Picture:
-        """Returns the picture for the preview: at most `_PREVIEW_SIDE` px a side, mirrored if desired."""
+        """Returns the picture for the preview: at most `_PREVIEW_SIDE` px a side, mirrored if desired, but no floor."""
         scale = min(1.0, _PREVIEW_SIDE / max(picture.shape[:2]))
         small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
-        return np.asarray(small[:, ::-1] if self._desired.mirror else small, np.uint8)
+        return np.asarray(
+            small[:, ::-1] if self._desired.mirror and not self._floor else small, np.uint8
+        )
 
     def _send_state(self, state: Message) -> None:
         if state != self._state:

@@ -21,7 +21,7 @@ from pinel_desktop.processes import own_command
 from pinel_desktop.processes.messages import Message
 from pinel_desktop.processes.supervisor import ProcessState, Supervisor
 from pinel_desktop.robot.robot_profile import RobotProfile
-from pinel_desktop.runs.robots import AT_START, HALT, JOG, ROBOT_STATE, WATCH
+from pinel_desktop.runs.robots import AT_START, HALT, JOG, LOCALISED, ROBOT_STATE, WATCH
 from pinel_desktop.runs.spec import RunSpec
 
 if TYPE_CHECKING:
@@ -49,6 +49,7 @@ class EngineClient:
 
     Args:
         on_robot: called on the reader thread with every state of a watched real robot.
+        on_localised: called on the reader thread with what a robot's own localisation says during a run.
         is_watched: returns whether a person could press Stop. While it returns False, the client sends no keepalives;
             the engine then stops a real robot and ends its run.
     """
@@ -59,10 +60,11 @@ class EngineClient:
         command: Sequence[str] | None = None,
         *,
         on_robot: EventSink = lambda state: None,
+        on_localised: EventSink = lambda message: None,
         is_watched: Callable[[], bool] = lambda: True,
     ) -> None:
         self._on_event, self._is_watched = on_event, is_watched
-        self._on_robot = on_robot
+        self._on_robot, self._on_localised = on_robot, on_localised
         self._held_s = -math.inf
         self._process = Supervisor(
             "engine",
@@ -281,6 +283,8 @@ class EngineClient:
             self._bridge[1](message)
         elif message.get("type") == ROBOT_STATE:
             self._on_robot(message)
+        elif message["type"] == LOCALISED:
+            self._on_localised(message)
         else:
             self._forward(message)
 

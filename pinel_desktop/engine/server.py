@@ -4,6 +4,7 @@ import contextlib
 import gc
 import logging
 import threading
+from collections.abc import Callable
 from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any, BinaryIO
 
@@ -22,11 +23,12 @@ from pinel_desktop.processes.messages import (
     response,
     write_message,
 )
+from pinel_desktop.robot import RobotLink
 from pinel_desktop.robot.robot_profile import RobotProfile, profile_from
 from pinel_desktop.runs.fixed_inputs import FixedInputs
 from pinel_desktop.runs.robots import ROBOT_MESSAGES
-from pinel_desktop.runs.spec import spec_from
-from pinel_desktop.runs.start import start
+from pinel_desktop.runs.spec import RunSpec, spec_from
+from pinel_desktop.runs.start import all_of, start
 
 if TYPE_CHECKING:
     from pinel_desktop.runs.bridge import BridgeController
@@ -80,11 +82,24 @@ class _LiveRun:
                 start(spec, self._observe, self.control)
                 return
             with self._engine.robots.reserved(spec.robot) as follow:
-                start(spec, self._observe, self.control, on_link=follow)
+                self._drive(spec, follow)
         except PinelError as error:  # before the first tick: unknown world, faults in the document
             self._observe(0, _start_failure(error))
         except OSError:
             _log.warning("the pipe for the events of run %s is closed", self.id)
+
+    def _drive(self, spec: RunSpec, follow: Callable[[RobotLink], None]) -> None:
+        from pinel_desktop.runs.robots.localised import LocalisationSender  # noqa: PLC0415 - for real robots only
+
+        assert spec.robot is not None
+        localisation = LocalisationSender(self.id, spec.robot, self._engine.send)
+
+        def use(link: RobotLink) -> None:
+            follow(link)
+            localisation.follow(link)
+
+        observe = all_of(self._observe, localisation.observe if localisation.is_read else None)
+        start(spec, observe, self.control, on_link=use)
 
     def _observe(self, tick: int, event: Event) -> None:
         self._engine.send(self._sequencer.wire(tick, event))

@@ -288,6 +288,31 @@ class RobotStateChanged(StreamEvent):
     remedy: str
 
 
+TruthState = Literal["seeing", "problem", "recorded", "nothing"]
+
+
+@dataclass(frozen=True, slots=True)
+class TruthSourceChanged(StreamEvent):
+    """A source that follows a live run on a real robot sees the robot no more, or again; or the run is over.
+
+    Attributes:
+        run: id of the run.
+        source: the camera above the floor, or the robot's own localisation.
+        state: `seeing`, `problem`, `recorded` once what was seen is kept with the run, `nothing` if nothing was.
+        code: code of the message about the problem; null without one.
+        message: that message, as text in the chosen language.
+        remedy: what to do.
+    """
+
+    type: ClassVar[str] = "truth_source"
+    run: str
+    source: Literal["tape", "camera", "localisation"]
+    state: TruthState
+    code: str | None
+    message: str
+    remedy: str
+
+
 @dataclass(frozen=True, slots=True)
 class SignRecording(StreamEvent):
     """A class teaches the camera a sign: one more sample was recorded, all were stored, or the recording was aborted.

@@ -68,6 +68,10 @@ class OdometryFilter:
             return None
         return median(after - before for before, after in pairwise(arrivals))
 
+    def robot_s(self, now_s: float) -> float | None:
+        """Returns the time by the robot's clock at `now_s`; None without stamps."""
+        return None if self._stamp_s is None else self._stamp_s + now_s - self.arrived_s
+
     def command(self, twist: Twist2D, now_s: float) -> None:
         """Records that the robot is commanded this velocity from `now_s` on."""
         self._reach.command(twist, now_s)

@@ -8,12 +8,13 @@ from collections.abc import Callable
 from typing import Any
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.links.localisation import Localisation, LocalisedPose
 from pinel_desktop.links.odometry import OdometryFilter
 from pinel_desktop.links.robot_lock import RobotLock
-from pinel_desktop.links.transport import Odometry, Transport
+from pinel_desktop.links.transport import Localised, Odometry, Transport
 from pinel_desktop.links.velocity_publisher import VelocityPublisher
 from pinel_desktop.robot import STANDSTILL, Pose2D, RobotState, SimulationConfig, Twist2D
-from pinel_desktop.robot.robot_profile import RobotProfile, Room
+from pinel_desktop.robot.robot_profile import RobotProfile, Room, RosProfile
 
 ODOMETRY_TIMEOUT_S = 1.0
 _FIRST_ODOMETRY_S = 5.0
@@ -62,6 +63,8 @@ class RealLink:
         self._publisher = VelocityPublisher(transport.send)
         self._lock = threading.Lock()
         self._odometry = OdometryFilter()
+        frame = profile.localisation_frame if isinstance(profile, RosProfile) else ""
+        self._localisation = Localisation(frame)
         self._start: Pose2D | None = None
         self._problem: PinelError | None = None
         # Without this lock, a velocity that is being set could replace the zeros of a new problem.
@@ -201,6 +204,16 @@ class RealLink:
 
     def on_holder(self, name: str | None) -> None:
         self.holder = name
+
+    def on_localised(self, localised: Localised) -> None:
+        now_s = time.monotonic()
+        with self._lock:
+            robot_now_s = self._odometry.robot_s(now_s)
+        self._localisation.add(localised, now_s, robot_now_s)
+
+    def pop_localised(self) -> LocalisedPose | PinelError | None:
+        """Returns the newest pose of the robot's own localisation once, or why it does not count."""
+        return self._localisation.pop()
 
     def on_battery(self, level: float) -> None:
         self.battery = level if 0.0 <= level <= 1.0 else None

@@ -31,11 +31,33 @@ class Odometry(NamedTuple):
     frame: str = ""
 
 
+class Localised(NamedTuple):
+    """One unchecked pose of a robot's own localisation.
+
+    Attributes:
+        x_m, y_m, yaw_rad: pose in the frame of a map.
+        sigma_m, sigma_rad: one sigma of each coordinate and of the heading; None if the message states none.
+        stamp_s: time stamp by the robot's clock; None without one.
+        frame: name of the frame; "" without one.
+    """
+
+    x_m: float
+    y_m: float
+    yaw_rad: float
+    sigma_m: float | None
+    sigma_rad: float | None
+    stamp_s: float | None
+    frame: str
+
+
 class Receiver(Protocol):
     """Handles the messages of the robot, on any thread, without waiting."""
 
     def on_odometry(self, odometry: Odometry) -> None:
         """Handles an odometry message, and rejects impossible values."""
+
+    def on_localised(self, localised: Localised) -> None:
+        """Handles a pose of the robot's own localisation. Only a robot whose profile names its topic has one."""
 
     def on_battery(self, level: float) -> None:
         """Handles the charge of the battery, from 0 to 1; a value outside means that it is unknown."""

@@ -131,6 +131,9 @@ class RosProfile(RobotProfile):
         command_topic: topic of geometry_msgs Twist or TwistStamped, whichever the robot subscribes to.
         odometry_topic: topic of nav_msgs Odometry or geometry_msgs PoseStamped.
         scan_topic, sonar_topic, bumper_topic, battery_topic: empty if the robot has no such topic.
+        localisation_topic: topic of geometry_msgs PoseStamped or PoseWithCovarianceStamped, where the robot's own
+            localisation says where it is; empty for none.
+        localisation_frame: name of the frame of those poses.
         peers: addresses of the robot, for networks without multicast.
     """
 
@@ -142,11 +145,19 @@ class RosProfile(RobotProfile):
     sonar_topic: RosName | Annotated[str, Field(pattern="^$")] = "sonar"
     bumper_topic: RosName | Annotated[str, Field(pattern="^$")] = "bumper_state"
     battery_topic: RosName | Annotated[str, Field(pattern="^$")] = "battery_state"
+    localisation_topic: RosName | Annotated[str, Field(pattern="^$")] = ""
+    localisation_frame: RosName = "map"
     peers: Annotated[tuple[HostName, ...], Field(max_length=20)] = ()
 
     @property
     def address(self) -> str:
         return f"domain {self.domain} {self.name_of(self.command_topic)}"
+
+    def as_record(self) -> dict[str, Any]:
+        record = super().as_record()
+        if not self.localisation_topic:  # the record of a release that read no localisation
+            del record["localisation_topic"], record["localisation_frame"]
+        return record
 
     def name_of(self, topic: str) -> str:
         """Returns a topic's full name without the leading slash; an absolute name gets no namespace."""

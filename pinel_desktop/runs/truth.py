@@ -27,6 +27,8 @@ _OUTSIDE_M = 1.0
 _GAP_TICKS = 15
 _N_FIRST = 10  # poses that tell where the start is
 _DURING_RUN: tuple[Source, ...] = ("camera", "localisation")
+# by so much, and by such a share of the way, the robot's own estimate of a movement may be wrong
+_DRIFT_M, _DRIFT_RAD, _DRIFT_SHARE = 0.3, math.radians(20), 0.2
 _SIGMA = (1e-5, FARTHEST_M)
 _BOUNDS = {
     "x_m": (-FARTHEST_M, FARTHEST_M),
@@ -77,6 +79,13 @@ class Truth:
         if not 0 < after < len(poses):
             return None
         return _between(poses[after - 1], poses[after], tick)
+
+    @property
+    def covered_ticks(self) -> int:
+        """The part of the run of which the source knows the robot's place, in ticks."""
+        ticks = [round(_tick(pose)) for pose in self.during_run]
+        gaps = (after - before for before, after in pairwise(ticks))
+        return sum(gap for gap in gaps if gap <= _GAP_TICKS)
 
     def as_rows(self) -> list[TruePoseRow]:
         """Returns the poses as the store records them."""
@@ -143,6 +152,22 @@ def in_start_frame(
             )
         )
     return aligned
+
+
+def moves_alike(before: tuple[Pose2D, Pose2D], after: tuple[Pose2D, Pose2D]) -> bool:
+    """Returns whether a source saw the movement that the robot itself believes; if not, one of its poses is wrong.
+
+    Args:
+        before, after: the pose of the source and the robot's own estimate, each in a frame of its own.
+    """
+    seen, own = (after[n].relative_to(before[n]) for n in range(2))
+    off_m = math.hypot(seen.x_m - own.x_m, seen.y_m - own.y_m)
+    off_rad = abs(wrap_angle(seen.yaw_rad - own.yaw_rad))
+    moved_m = math.hypot(own.x_m, own.y_m)
+    return (
+        off_m <= _DRIFT_M + _DRIFT_SHARE * moved_m
+        and off_rad <= _DRIFT_RAD + _DRIFT_SHARE * abs(own.yaw_rad)
+    )
 
 
 def check_in_room(pose: Pose2D, start: Pose2D, width_m: float, depth_m: float) -> None:

@@ -22,7 +22,7 @@ from pinel_desktop.web.api import (
     worlds,
 )
 from pinel_desktop.web.api.preparing import calibration, lesson_files, own_activities, robots
-from pinel_desktop.web.api.real import predictions, truths
+from pinel_desktop.web.api.real import overhead, predictions, truths
 from pinel_desktop.web.api.window import drives, instance, kiosk, projector
 
 RESOURCES = (
@@ -48,6 +48,7 @@ RESOURCES = (
     worlds,
     robots,
     calibration,
+    overhead,
     camera,
     signs,
     stream,

@@ -22,12 +22,14 @@ if TYPE_CHECKING:  # heavy, and not needed to serve the page
     from pinel_desktop.program.reading import ParseResult
     from pinel_desktop.school.detectors import Detectors
     from pinel_desktop.school.opened_file import OpenedFile
-    from pinel_desktop.school.overhead_truth import OverheadTruth
     from pinel_desktop.school.predictions import Predictions
     from pinel_desktop.school.robot_profiles import RobotProfiles
     from pinel_desktop.school.robot_status_feed import RobotStatusFeed
     from pinel_desktop.school.sign_teaching import SignTeaching
     from pinel_desktop.school.teacher import TeacherSessions
+    from pinel_desktop.school.truths.floor_camera import FloorCamera
+    from pinel_desktop.school.truths.localisation import LocalisationTruth
+    from pinel_desktop.school.truths.overhead import OverheadTruth
     from storage import Store
 
 # "restart" closes the window and opens it again, in kiosk mode or without it, as the setting says
@@ -80,6 +82,8 @@ class Services:
     signs: SignTeaching
     cloud: CloudClient
     overhead: OverheadTruth
+    floor_camera: FloorCamera
+    localisation: LocalisationTruth
     hub: Hub
     guard: Guard
     settings: Settings

@@ -15,7 +15,7 @@ from statistics import median
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.dds.transport import DdsTransport
-from pinel_desktop.links.transport import Odometry
+from pinel_desktop.links.transport import Localised, Odometry
 from pinel_desktop.robot import PIONEER_3DX, STANDSTILL, Twist2D
 from pinel_desktop.runs.spec import RunSpec
 from tests.links.dds_domains import local_profile, own_domain
@@ -67,6 +67,9 @@ class Echoed:
 
     def on_holder(self, name: str | None) -> None:
         pass
+
+    def on_localised(self, localised: Localised) -> None:
+        raise AssertionError("this robot has no localisation")
 
     def on_battery(self, level: float) -> None:
         del level

@@ -11,6 +11,7 @@ import threading
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from cyclonedds.core import Policy, Qos
@@ -21,10 +22,14 @@ from cyclonedds.util import duration
 
 from pinel_desktop.links.dds import messages as m
 from pinel_desktop.links.dds.session import Session, delete
-from pinel_desktop.robot import Twist2D
+from pinel_desktop.robot import Pose2D, Twist2D
 from tests.links.unicycle import Unicycle
 
 PERIOD_S = 0.01
+# the robot's start in the frame of its map
+START_ON_MAP = Pose2D(1.0, 2.0, math.pi / 2)
+# and on the floor under a camera
+START_ON_FLOOR = Pose2D(0.8, 1.5, 0.0)
 
 
 @dataclass
@@ -41,6 +46,12 @@ class Behaviour:
         period_s: from one message to the next.
         publishes_commands: somebody else's participant publishes commands, too.
         listens_to_commands: that one hears commands, too.
+        localisation: type of the poses of its own localisation, on `amcl_pose`; empty for none. The start is
+            `START_ON_MAP` in its map.
+        localisation_frame: the frame that those poses name.
+        localised_nan: they are NaN.
+        pose_file: a file with its true pose on a floor, renewed while it drives; empty for none.
+        slips: the share of its way ahead that it only believes to drive.
         relays: the robot's own one publishes commands, as a bridge to ROS 1.
         asks_for_last: it hears only who keeps the last command for it.
     """
@@ -58,6 +69,11 @@ class Behaviour:
     listens_to_commands: bool = False
     asks_for_last: bool = False
     relays: bool = False
+    localisation: str = ""
+    localisation_frame: str = "map"
+    localised_nan: bool = False
+    pose_file: str = ""
+    slips: float = 0.0
 
 
 class DdsRobot:
@@ -67,6 +83,7 @@ class DdsRobot:
         self._prefix = f"{behaviour.namespace}/" if behaviour.namespace else ""
         self._commands = self._reader("cmd_vel", behaviour.command)
         self._odometry = self._writer("odom", behaviour.odometry)
+        self._localisation = self._writer("amcl_pose", behaviour.localisation)
         self._others: Any = None
         if behaviour.relays:
             self._writer("cmd_vel", behaviour.command)
@@ -109,6 +126,10 @@ class DdsRobot:
             self._share_commands()
             if not self.behaviour.is_mute and self._odometry is not None:
                 self._odometry.write(self._message())
+            if self._localisation is not None:
+                self._localisation.write(self._localised())
+            if self.behaviour.pose_file:
+                self._write_pose(Path(self.behaviour.pose_file))
             self._publish_sensors()
             time.sleep(self.behaviour.period_s)
 
@@ -144,6 +165,27 @@ class DdsRobot:
         twist = m.Twist(m.Vector3(now.v_mps or 0.0), m.Vector3(z=now.omega_radps or 0.0))
         covariances = m.PoseWithCovariance(pose), m.TwistWithCovariance(twist)
         return m.Odometry(header, "base_link", *covariances)
+
+    def _localised(self) -> Any:
+        now, behaviour = self.robot.report(), self.behaviour
+        x, y, yaw = START_ON_MAP.compose(Pose2D(now.x_m, now.y_m, now.yaw_rad))
+        turned = m.Quaternion(z=math.sin(yaw / 2), w=math.cos(yaw / 2))
+        pose = m.Pose(m.Point(math.nan if behaviour.localised_nan else x, y), turned)
+        s = time.time()
+        header = m.Header(m.Time(int(s), int(s % 1 * 1e9)), behaviour.localisation_frame)
+        if behaviour.localisation == "PoseStamped":
+            return m.PoseStamped(header, pose)
+        covariance = [0.0] * 36
+        covariance[0], covariance[7], covariance[35] = 0.0004, 0.0001, 0.0009
+        return m.PoseWithCovarianceStamped(header, m.PoseWithCovariance(pose, covariance))
+
+    def _write_pose(self, file: Path) -> None:
+        now = self.robot.report()
+        true_x_m = now.x_m * (1.0 - self.behaviour.slips)
+        pose = START_ON_FLOOR.compose(Pose2D(true_x_m, now.y_m, now.yaw_rad))
+        new = file.with_suffix(".new")
+        new.write_text(json.dumps(pose))
+        new.replace(file)
 
 
 def reader_of_last(session: Session, topic: str, message: type[IdlStruct]) -> "DataReader[Any]":

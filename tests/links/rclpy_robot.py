@@ -8,6 +8,8 @@ JSON says what it does; without any it is a robot:
     tells: publishes `odom`, `scan` and `battery_state`.
     drives: publishes this velocity on `cmd_vel`, m/s and rad/s, ten times a second.
     offers: has a publisher of `cmd_vel` that says nothing.
+    localisation: type of the poses of its own localisation, on `amcl_pose` in the frame `map`, 1 m ahead of its
+        odometry; "" for none.
     turned_rad: what its odometry says of its heading beside the truth.
 
 It prints a line for each velocity that comes. A line on its standard input changes what it does; it ends with that.
@@ -20,7 +22,7 @@ import threading
 import time
 
 import rclpy
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, Twist
 from nav_msgs.msg import Odometry
 from rclpy.context import Context
 from rclpy.duration import Duration
@@ -38,7 +40,12 @@ ROBOT = {
     "tells": True,
     "drives": None,
     "offers": False,
+    "localisation": "",
     "turned_rad": 0.0,
+}
+LOCALISATIONS = {
+    "PoseStamped": PoseStamped,
+    "PoseWithCovarianceStamped": PoseWithCovarianceStamped,
 }
 
 
@@ -50,6 +57,8 @@ class Robot:
         if behaviour["tells"]:
             self._odometry = node.create_publisher(Odometry, "odom", 10)
             self._scan = node.create_publisher(LaserScan, "scan", 10)
+            kind = LOCALISATIONS.get(behaviour["localisation"])
+            self._localisation = kind and node.create_publisher(kind, "amcl_pose", 10)
             self._battery = node.create_publisher(BatteryState, "battery_state", 10)
             node.create_timer(PERIOD_S, self._report)
         if behaviour["hears"]:
@@ -91,12 +100,26 @@ class Robot:
         message.pose.pose.orientation.w = math.cos(yaw / 2)
         message.twist.twist.linear.x, message.twist.twist.angular.z = self._v, self._omega
         self._odometry.publish(message)
+        if self._localisation:
+            self._localise(message)
         scan = LaserScan()
         scan.angle_min, scan.angle_increment = -math.pi / 2, math.pi / 180
         scan.range_min, scan.range_max = 0.1, 8.0
         scan.ranges = [1.25] * 181
         self._scan.publish(scan)
         self._battery.publish(BatteryState(percentage=0.75))
+
+    def _localise(self, odometry):
+        message = LOCALISATIONS[self.behaviour["localisation"]]()
+        message.header.stamp, message.header.frame_id = odometry.header.stamp, "map"
+        pose = message.pose
+        if self.behaviour["localisation"] == "PoseWithCovarianceStamped":
+            pose.covariance[0] = pose.covariance[7] = 0.0004
+            pose.covariance[35] = 0.0009
+            pose = pose.pose
+        pose.position.x, pose.position.y = 1.0 + self._x, self._y
+        pose.orientation = odometry.pose.pose.orientation
+        self._localisation.publish(message)
 
 
 def name_of_the_driver(context):

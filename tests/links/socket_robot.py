@@ -52,11 +52,13 @@ class SocketRobot:
     Attributes:
         types: message types of the velocities that came.
         received: the velocities with the connection that they came over.
+        is_localised: publishes its pose on its map, too, which is that of the odometry.
     """
 
     def __init__(self) -> None:
         self.unicycle = Unicycle()
         self.types: set[str] = set()
+        self.is_localised = False
         self.received: list[ReceivedVelocity] = []
         self._withdrawn: list[str] = []
         self._others: list[str] = []
@@ -124,6 +126,8 @@ class SocketRobot:
             if not self.unicycle.is_mute:
                 pose = list(self.unicycle.report())
                 self._send(node, {"kind": "odometry", "pose": pose})
+                if self.is_localised:
+                    self._send(node, {"kind": "localised", "pose": [*pose[:6], "map"]})
             if n % SENSORS_EVERY == 0:
                 self._publish_sensors(node)
 

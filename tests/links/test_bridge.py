@@ -21,7 +21,7 @@ from pinel_desktop.links.bridge.http_server import MAX_BODY_BYTES, MAX_CONNECTIO
 from pinel_desktop.links.bridge.routes import STATUS, Response
 from pinel_desktop.links.bridge.transport import BridgeTransport
 from pinel_desktop.links.real import RealLink
-from pinel_desktop.links.transport import Odometry
+from pinel_desktop.links.transport import Localised, Odometry
 from pinel_desktop.robot import STANDSTILL, SimulationConfig, Twist2D
 from pinel_desktop.robot.robot_profile import BridgeProfile, RobotProfile, Room
 from tests.in_time import in_time
@@ -77,6 +77,9 @@ class Robot:
 
     def on_holder(self, name: str | None) -> None:
         pass
+
+    def on_localised(self, localised: Localised) -> None:
+        raise AssertionError("this robot has no localisation")
 
     def on_battery(self, level: float) -> None:
         raise AssertionError("no battery on the bridge")

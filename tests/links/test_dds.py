@@ -19,13 +19,14 @@ from pinel_desktop.links.dds import session, transport
 from pinel_desktop.links.dds.discovery import discover_robots
 from pinel_desktop.links.dds.graph import Graph
 from pinel_desktop.links.dds.messages import Twist, Vector3
+from pinel_desktop.links.localisation import LocalisedPose
 from pinel_desktop.links.real import RealLink
 from pinel_desktop.robot import RobotLink, Twist2D
 from pinel_desktop.robot.robot_profile import RobotProfile, RosProfile
 from tests.in_time import in_time
 from tests.links.dds_domains import local_profile, own_domain
 from tests.links.dds_peer import DdsPeer
-from tests.links.dds_robot import reader_of_last
+from tests.links.dds_robot import START_ON_MAP, reader_of_last
 from tests.links.real_link_contract import RealLinkContract
 
 pytestmark = pytest.mark.waits
@@ -497,3 +498,69 @@ def test_robots_of_a_domain_are_found_with_their_namespace_and_who_drives_them()
         ("lab/r2", "cmd_vel", "odom"),
     ]
     assert [one.holder for one in found] == [None, platform.node()]
+
+
+@pytest.mark.parametrize(
+    ("kind", "sigmas"),
+    [("PoseStamped", (0.05, 0.052)), ("PoseWithCovarianceStamped", (0.02, 0.03))],
+)
+def test_the_robots_own_localisation_is_read(
+    start_robot: Callable[..., DdsPeer],
+    connect: Callable[..., RobotLink],
+    kind: str,
+    sigmas: tuple[float, float],
+) -> None:
+    start_robot(localisation=kind)
+    link = connect(localisation_topic="amcl_pose")
+    found = localised(link)
+    assert isinstance(found, LocalisedPose)
+    assert found.pose == pytest.approx(START_ON_MAP)
+    assert (found.sigma_m, found.sigma_rad) == pytest.approx(sigmas, abs=0.001)
+    assert 0.0 <= time.monotonic() - found.at_s < 1.0
+
+
+@pytest.mark.parametrize(
+    ("behaviour", "code"),
+    [
+        ({"localisation_frame": "odom"}, "localisation_other_frame"),
+        ({"localisation_frame": ""}, "localisation_other_frame"),
+        ({"localised_nan": True}, "localisation_invalid"),
+    ],
+)
+def test_poses_of_another_frame_and_impossible_ones_are_refused(
+    start_robot: Callable[..., DdsPeer],
+    connect: Callable[..., RobotLink],
+    behaviour: dict[str, Any],
+    code: str,
+) -> None:
+    start_robot(localisation="PoseStamped", **behaviour)
+    problem = localised(connect(localisation_topic="amcl_pose"))
+    assert isinstance(problem, PinelError)
+    assert problem.code == code
+
+
+def test_without_the_topic_in_the_profile_no_localisation_is_read(
+    start_robot: Callable[..., DdsPeer], connect: Callable[..., RobotLink], domain: int
+) -> None:
+    start_robot(localisation="PoseStamped")
+    link = connect()
+    assert isinstance(link, RealLink)
+    party = session.Session(domain, ("127.0.0.1",))
+    try:
+        graph = Graph(party)
+        wait_for(lambda: bool(graph.publishers("amcl_pose")))
+        wait_for(lambda: bool(graph.subscribers("cmd_vel")))
+        assert not graph.subscribers("amcl_pose")
+    finally:
+        party.close()
+    assert link.pop_localised() is None
+
+
+def localised(link: RobotLink) -> LocalisedPose | PinelError:
+    """The next thing that the robot's localisation says."""
+    assert isinstance(link, RealLink)
+    due_s = time.monotonic() + 20.0
+    while (found := link.pop_localised()) is None:
+        assert time.monotonic() < due_s
+        time.sleep(0.01)
+    return found

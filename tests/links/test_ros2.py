@@ -18,13 +18,15 @@ import pytest
 
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links import open_link
+from pinel_desktop.links.localisation import LocalisedPose
 from pinel_desktop.links.real import RealLink
 from pinel_desktop.links.ros2 import installed, transport
 from pinel_desktop.robot import PIONEER_3DX, RobotLink, Twist2D
 from pinel_desktop.robot.robot_profile import RobotProfile, Room, Ros2Profile
 from tests.links.dds_domains import own_domain
 from tests.links.real_link_contract import Peer, RealLinkContract
-from tests.links.socket_robot import SocketRobot, use_fake_ros
+from tests.links.socket_robot import GRAPH, SocketRobot, use_fake_ros
+from tests.links.test_dds import localised
 
 pytestmark = pytest.mark.waits
 
@@ -122,6 +124,19 @@ def test_a_robot_that_tells_its_pose_only_can_be_driven(
     robot.unicycle.x_m = 2.0
     with connected() as link:
         assert link.read().pose.x_m == 2.0
+
+
+def test_the_robots_own_localisation_is_read_where_the_profile_names_it(
+    robot: SocketRobot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kind = "geometry_msgs/msg/PoseWithCovarianceStamped"
+    use_fake_ros(monkeypatch, robot, published={**GRAPH["published"], "/amcl_pose": kind})
+    robot.is_localised, robot.unicycle.x_m = True, 2.0
+    with connected(localisation_topic="amcl_pose") as link:
+        found = localised(link)
+        assert isinstance(found, LocalisedPose)
+        assert found.pose == pytest.approx((2.0, 0.0, 0.0))
+        assert found.sigma_m == pytest.approx(0.02)
 
 
 def test_without_a_robot_topic_and_domain_are_named(

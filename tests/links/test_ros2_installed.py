@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from pinel_desktop.links import open_link
+from pinel_desktop.links.localisation import LocalisedPose
 from pinel_desktop.links.real import RealLink
 from pinel_desktop.robot import STANDSTILL
 from pinel_desktop.robot.robot_profile import DdsProfile, RobotProfile, Room, Ros2Profile
@@ -16,7 +17,7 @@ from pinel_desktop.runs.spec import RunSpec
 from tests.links.dds_domains import own_domain
 from tests.links.rclpy_process import RclpyProgram, use_real_ros
 from tests.links.real_link_contract import LiveRun
-from tests.links.test_dds import eventually, wait_for
+from tests.links.test_dds import eventually, localised, wait_for
 from tests.links.two_pcs import FOR_EVER
 
 pytestmark = pytest.mark.waits
@@ -87,6 +88,24 @@ def test_a_robot_is_driven_and_its_sensors_are_read(
     link.close()
     wait_for(lambda: robot.standstill_since_s() is not None)
     assert max(twist.v_mps for _, twist in robot.received) > 0.1
+
+
+@both_links
+@pytest.mark.parametrize(
+    ("localisation", "sigma_m"), [("PoseStamped", 0.05), ("PoseWithCovarianceStamped", 0.02)]
+)
+def test_the_robots_own_localisation_is_read(
+    begin: Start, domain: int, kind: type[RobotProfile], localisation: str, sigma_m: float
+) -> None:
+    begin(localisation=localisation)
+    record = profile_of(kind, domain).model_copy(update={"localisation_topic": "amcl_pose"})
+    link = open_link(record.link, world="empty_room", robot=record)
+    link.connect()
+    found = localised(link)
+    assert isinstance(found, LocalisedPose)
+    assert found.pose == pytest.approx((1.0, 0.0, 0.0))
+    assert found.sigma_m == pytest.approx(sigma_m)
+    link.close()
 
 
 @both_links

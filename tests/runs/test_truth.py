@@ -14,6 +14,7 @@ from pinel_desktop.runs.truth import (
     best_during_run,
     check_in_room,
     in_start_frame,
+    moves_alike,
     read_truth,
     truths_of,
 )
@@ -116,3 +117,21 @@ def test_poses_of_a_map_are_aligned_to_the_start_by_the_first_estimate() -> None
 
 def test_nothing_is_known_of_the_start_without_the_estimate_of_the_robot() -> None:
     assert in_start_frame([TruePose(1, Pose2D(), 0.01, 0.01)], lambda tick: None) == []
+
+
+@pytest.mark.parametrize(
+    ("seen", "is_alike"),
+    [
+        (Pose2D(1.0, 0.0, 0.0), True),
+        (Pose2D(1.4, 0.0, 0.0), True),  # a fifth of the way, and 30 cm
+        (Pose2D(1.6, 0.0, 0.0), False),
+        (Pose2D(1.0, 0.0, math.radians(15)), True),
+        (Pose2D(1.0, 0.0, math.radians(30)), False),
+    ],
+)
+def test_a_movement_that_the_robot_does_not_believe_is_not_alike(
+    seen: Pose2D, is_alike: bool
+) -> None:
+    start = Pose2D(2.0, 1.0, math.pi / 2)  # of the map: the frame does not count
+    before, after = (start, Pose2D()), (start.compose(seen), Pose2D(1.0, 0.0, 0.0))
+    assert moves_alike(before, after) is is_alike

@@ -23,9 +23,10 @@ class FakeEngine(EngineClient):
         on_event: Callable[[Event], None],
         *,
         on_robot: Callable[[Event], None] = lambda state: None,
+        on_localised: Callable[[Event], None] = lambda message: None,
         is_watched: Callable[[], bool] = lambda: True,
     ) -> None:
-        self.on_event, self.on_robot = on_event, on_robot
+        self.on_event, self.on_robot, self.on_localised = on_event, on_robot, on_localised
         self.of_robots: list[tuple[Any, ...]] = []
         self.commands: list[Command] = []
         self.start_spec: dict[str, Any] = {}

@@ -37,7 +37,7 @@ def test_a_measurement_is_stored_with_the_run_and_can_be_removed(
     browser: Browser, run: str
 ) -> None:
     address = f"/api/runs/{run}/truths"
-    assert browser.get(address).data == {"truths": [], "believed": None}
+    assert browser.get(address).data == {"truths": [], "believed": None, "run_s": 0.0}
     (tape,) = browser.put(f"{address}/tape", poses(END)).data["truths"]
     assert (tape["source"], tape["poses"]) == ("tape", [END])
     assert browser.get(address).data["truths"] == [tape]
@@ -78,3 +78,9 @@ def test_the_estimate_of_the_robot_is_in_the_answer_too(app: App, browser: Brows
     run = a_run(app._store, None)
     believed = browser.get(f"/api/runs/{run}/truths").data["believed"]
     assert believed["x_m"] == pytest.approx(app._store.runs.telemetry(run).column("x_m")[-1])
+
+
+def test_how_long_a_camera_knew_the_place_is_told(browser: Browser, run: str) -> None:
+    seen = [{**END, "tick": tick} for tick in (*range(31), *range(60, 91))]  # covered for a second
+    (camera,) = browser.put(f"/api/runs/{run}/truths/camera", poses(*seen)).data["truths"]
+    assert camera["covered_s"] == 2.0

@@ -8,6 +8,7 @@ import * as camera from "./camera/sight";
 import { fetchTexts, language } from "./i18n";
 import { receive, resync } from "./run/live";
 import { receiveState } from "./run/real/robot_state";
+import { receiveTruthSource } from "./run/real/truth_sources";
 import { firstRequestsSettled } from "./shell/first_answers";
 import { setLazyStyles } from "./shell/lazy";
 import { open } from "./shell/session";
@@ -17,9 +18,12 @@ const FIRST_RENDER_TIMEOUT_MS = 300;
 
 setLazyStyles(() => import("./styles_lazy"));
 
+const receiveOfRobot: Parameters<typeof open>[2] = (event) =>
+  event.type === "robot_state" ? receiveState(event) : receiveTruthSource(event);
+
 const renderTimeout = new Promise((resolve) => setTimeout(resolve, FIRST_RENDER_TIMEOUT_MS));
 const texts = fetchTexts(language.peek());
-const opened = texts.then(() => open({ receive, resync }, camera, receiveState));
+const opened = texts.then(() => open({ receive, resync }, camera, receiveOfRobot));
 const root = document.getElementById("app");
 
 // otherwise the page is drawn once, with all its contents

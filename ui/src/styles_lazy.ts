@@ -32,6 +32,7 @@ import "./teacher/making/making.css";
 import "./teacher/camera/camera.css";
 import "./teacher/robot/robot.css";
 import "./teacher/robot/calibration/calibration.css";
+import "./teacher/robot/overhead/overhead.css";
 import "./teacher/plan/plan.css";
 import "./teacher/cards/cards.css";
 import "./teacher/exchange/exchange.css";

@@ -4,9 +4,12 @@ The frame of the floor has its origin at the centre of the first floor marker, x
 fourth, z up: markers 1 to 4 are the corners of a rectangle, counterclockwise seen from above.
 """
 
+from collections.abc import Mapping
 from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field
+
+from pinel_desktop.errors import PinelError
 
 # ArUco markers 0 to 4 of the dictionary 4x4_50 of OpenCV: rows of bits, 1 is white; a black border of one bit around
 MARKER_BITS = (
@@ -43,6 +46,16 @@ class OverheadSetup(BaseModel):
         """The centres of the floor markers, in the floor's frame, in m."""
         w, d = self.width_m, self.depth_m
         return ((0.0, 0.0), (w, 0.0), (w, d), (0.0, d))
+
+
+def checked_setup(lengths: Mapping[str, float]) -> OverheadSetup:
+    """Reads what a person measured. Raises PinelError `overhead_range` with the field, its value and bounds."""
+    for name, field in OverheadSetup.model_fields.items():
+        low = next(bound.ge for bound in field.metadata if hasattr(bound, "ge"))
+        high = next(bound.le for bound in field.metadata if hasattr(bound, "le"))
+        if not low <= lengths[name] <= high:  # also refuses NaN
+            raise PinelError("overhead_range", field=name, value=lengths[name], low=low, high=high)
+    return OverheadSetup(**lengths)
 
 
 def setup_of(text: str) -> OverheadSetup | None:

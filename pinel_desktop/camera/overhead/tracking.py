@@ -2,7 +2,7 @@
 
 import math
 from collections import deque
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -58,11 +58,19 @@ class Sighting:
         problem: what a person can mend, None for nothing; a robot that is missed for less than half a second is none.
         missing: numbers of the floor markers that are missed, from 1, for `overhead_floor_missing` and
             `overhead_marker_moved`.
+        markers: numbers of the markers in the picture, from 1; the robot's is 5.
     """
 
     seen: MarkerPose | None
     problem: Problem | None = None
     missing: tuple[int, ...] = ()
+    markers: tuple[int, ...] = ()
+
+    @property
+    def pose_and_sigma(self) -> list[float] | None:
+        """x, y (m) and heading (rad) of the robot, and one sigma of place and heading; None if it is not seen."""
+        seen = self.seen
+        return [*seen.pose, seen.sigma_m, seen.sigma_rad] if seen else None
 
 
 class OverheadTracker:
@@ -92,6 +100,10 @@ class OverheadTracker:
         if self._last_s is None:
             self._last_s = time_s
         markers = find_markers(picture)
+        numbers = tuple(number + 1 for number in sorted(markers))
+        return replace(self._sighting(time_s, picture, markers), markers=numbers)
+
+    def _sighting(self, time_s: float, picture: Picture, markers: dict[int, Corners]) -> Sighting:
         height, width = picture.shape[:2]
         floor = {number: markers[number] for number in FLOOR_MARKERS if number in markers}
         if self._lens is None:

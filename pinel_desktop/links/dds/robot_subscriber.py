@@ -17,9 +17,10 @@ from cyclonedds.util import duration
 from pinel_desktop.errors import PinelError
 from pinel_desktop.links.dds import messages
 from pinel_desktop.links.dds.session import Session, delete
+from pinel_desktop.links.localisation import sigmas_of
 from pinel_desktop.links.odometry import yaw_of
 from pinel_desktop.links.ros_sensors import LidarScan, RosSensors
-from pinel_desktop.links.transport import Odometry, Receiver
+from pinel_desktop.links.transport import Localised, Odometry, Receiver
 from pinel_desktop.robot import Twist2D
 
 _WATCH_INTERVAL_S = 0.2
@@ -97,12 +98,22 @@ class RobotSubscriber:
 
     def subscribe(self, topic: str, message: type[IdlStruct]) -> None:
         """Subscribes to a topic. Allowed before `start` and within `watch`."""
+        self._read(topic, message, getattr(self, _HANDLERS[message]))
+        if message in _OFFERED:
+            self._sensors.offer(_OFFERED[message])
+
+    def follow_localisation(self, topic: str, message: type[IdlStruct]) -> None:
+        """Subscribes to the poses of the robot's own localisation. Allowed when `subscribe` is."""
+        has_covariance = message is messages.PoseWithCovarianceStamped
+        self._read(
+            topic, message, self._on_localised_with if has_covariance else self._on_localised
+        )
+
+    def _read(self, topic: str, message: type[IdlStruct], handle: Handler) -> None:
         reader = self._session.reader(topic, message)
         condition = ReadCondition(reader, _NEW)
         self._waitset.attach(condition)
-        self._handlers.append((reader, condition, getattr(self, _HANDLERS[message])))
-        if message in _OFFERED:
-            self._sensors.offer(_OFFERED[message])
+        self._handlers.append((reader, condition, handle))
 
     def withdraw(self, message: type[IdlStruct]) -> None:
         """Discards the last reading of a message type that the robot does not publish any more."""
@@ -150,11 +161,30 @@ class RobotSubscriber:
         self, header: messages.Header, pose: messages.Pose, v: float | None, omega: float | None
     ) -> None:
         self.last_pose_s = time.monotonic()
-        stamp_s = header.stamp.sec + header.stamp.nanosec * 1e-9 or None
+        stamp_s = _stamp_s(header)
         self._clock.set(stamp_s)
         at, turned = pose.position, pose.orientation
         yaw = yaw_of(turned.x, turned.y, turned.z, turned.w)
         self._receiver.on_odometry(Odometry(at.x, at.y, yaw, v, omega, stamp_s, header.frame_id))
+
+    def _on_localised(self, message: messages.PoseStamped) -> None:
+        self._forward_localised(message.header, message.pose, None)
+
+    def _on_localised_with(self, message: messages.PoseWithCovarianceStamped) -> None:
+        covariance = message.pose.covariance
+        variances = (covariance[0], covariance[7], covariance[35])
+        self._forward_localised(message.header, message.pose.pose, variances)
+
+    def _forward_localised(
+        self,
+        header: messages.Header,
+        pose: messages.Pose,
+        variances: tuple[float, float, float] | None,
+    ) -> None:
+        at, turned = pose.position, pose.orientation
+        yaw = yaw_of(turned.x, turned.y, turned.z, turned.w)
+        more = (*sigmas_of(variances), _stamp_s(header), header.frame_id)
+        self._receiver.on_localised(Localised(at.x, at.y, yaw, *more))
 
     def _on_scan(self, message: messages.LaserScan) -> None:
         bounds = (message.range_min, message.range_max)
@@ -173,6 +203,10 @@ class RobotSubscriber:
     def _on_battery(self, message: messages.BatteryState) -> None:
         level = message.percentage  # from 0 to 1; some robots count to 100
         self._receiver.on_battery(level / 100 if level > 1.0 else level)
+
+
+def _stamp_s(header: messages.Header) -> float | None:
+    return header.stamp.sec + header.stamp.nanosec * 1e-9 or None
 
 
 _HANDLERS: dict[type[IdlStruct], str] = {

@@ -28,6 +28,7 @@ from pinel_desktop.robot.robot_profile import DdsProfile, RobotProfile
 _SEARCH_TIMEOUT_S = 5.0
 _MATCH_TIMEOUT_S = 5.0
 _POLL_S = 0.05
+_Kinds = dict[str, tuple[type[IdlStruct], ...]]
 
 
 class DdsTransport:
@@ -148,9 +149,12 @@ class DdsTransport:
         watch: Callable[[], None],
     ) -> RobotSubscriber:
         """Returns a subscriber, not yet started, to the odometry and to all sensors, also to later ones."""
-        found = _SensorTopics(graph, self._profile)
+        found = _Topics(graph, _sensor_topics(self._profile))
+        localisation = _Topics(graph, _localisation_topics(self._profile))
 
         def poll() -> None:
+            for topic, message in localisation.newly_published():
+                subscriber.follow_localisation(topic, message)
             for topic, message in found.newly_published():
                 subscriber.subscribe(topic, message)
             for message in found.unpublished():
@@ -184,19 +188,29 @@ class DdsTransport:
         return PinelError("robot_deaf", topic=f"/{self._command_topic}")
 
 
-class _SensorTopics:
-    """The sensor topics of a profile; finds each topic once the robot publishes it."""
+def _sensor_topics(profile: DdsProfile) -> _Kinds:
+    scan, sonar = (messages.LaserScan,), (messages.Range, messages.PointCloud)
+    rows = (
+        (profile.scan_topic, scan),
+        (profile.sonar_topic, sonar),
+        (profile.bumper_topic, (messages.Bool,)),
+        (profile.battery_topic, (messages.BatteryState,)),
+    )
+    return {profile.name_of(topic): kinds for topic, kinds in rows if topic}
 
-    def __init__(self, graph: Graph, profile: DdsProfile) -> None:
+
+def _localisation_topics(profile: DdsProfile) -> _Kinds:
+    topic = profile.localisation_topic
+    kinds = (messages.PoseWithCovarianceStamped, messages.PoseStamped)
+    return {profile.name_of(topic): kinds} if topic else {}
+
+
+class _Topics:
+    """Topics with the types that each may have; finds each topic once the robot publishes it."""
+
+    def __init__(self, graph: Graph, kinds: _Kinds) -> None:
         self._graph = graph
-        scan, sonar = (messages.LaserScan,), (messages.Range, messages.PointCloud)
-        rows = (
-            (profile.scan_topic, scan),
-            (profile.sonar_topic, sonar),
-            (profile.bumper_topic, (messages.Bool,)),
-            (profile.battery_topic, (messages.BatteryState,)),
-        )
-        self._unfound = {profile.name_of(topic): kinds for topic, kinds in rows if topic}
+        self._unfound = dict(kinds)
         self._types: dict[str, type[IdlStruct]] = {}
 
     def newly_published(self) -> list[tuple[str, type[IdlStruct]]]:

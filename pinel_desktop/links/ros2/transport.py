@@ -14,11 +14,12 @@ import time
 from typing import Any
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.links.localisation import sigmas_of
 from pinel_desktop.links.odometry import yaw_of
 from pinel_desktop.links.real import RealLink, real_link
 from pinel_desktop.links.ros2.installed import node_command
 from pinel_desktop.links.ros_sensors import LidarScan, RosSensors
-from pinel_desktop.links.transport import Cancelled, Odometry, Receiver
+from pinel_desktop.links.transport import Cancelled, Localised, Odometry, Receiver
 from pinel_desktop.processes.standard_streams import error_output
 from pinel_desktop.robot import RobotModel, Sensors, SimulationConfig, Twist2D
 from pinel_desktop.robot.robot_profile import RobotProfile, Ros2Profile
@@ -34,6 +35,7 @@ _TOPICS = (
     "sonar_topic",
     "bumper_topic",
     "battery_topic",
+    "localisation_topic",
 )
 Message = dict[str, Any]
 
@@ -144,6 +146,8 @@ class Ros2Transport:
         self._has_started = True
         if kind == "odometry":
             receiver.on_odometry(_odometry(message))
+        elif kind == "localised":
+            receiver.on_localised(_localised(message))
         elif kind == "battery":
             level = float(message["level"])  # from 0 to 1; some robots count to 100
             receiver.on_battery(level / 100 if level > 1.0 else level)
@@ -203,5 +207,14 @@ class Ros2Transport:
 
 def _odometry(message: Message) -> Odometry:
     (x, y), (v, omega) = message["position"], message["velocity"]
-    yaw = yaw_of(*(math.nan if part is None else part for part in message["orientation"]))
-    return Odometry(x, y, yaw, v, omega, message["stamp"], message["frame"])
+    return Odometry(x, y, _yaw(message), v, omega, message["stamp"], message["frame"])
+
+
+def _localised(message: Message) -> Localised:
+    x, y = message["position"]
+    sigmas = sigmas_of(message["variances"])
+    return Localised(x, y, _yaw(message), *sigmas, message["stamp"] or None, message["frame"])
+
+
+def _yaw(message: Message) -> float:
+    return yaw_of(*(math.nan if part is None else part for part in message["orientation"]))

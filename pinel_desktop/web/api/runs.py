@@ -114,6 +114,7 @@ def begin_run(body: NewRun) -> Response:
         raise
     if spec.robot:
         parts.overhead.begin(row.id)
+        parts.localisation.begin(row.id, spec.robot)
     return json_response(run_model(row))
 
 

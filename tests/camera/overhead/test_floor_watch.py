@@ -7,13 +7,20 @@ from pathlib import Path
 import pytest
 
 from pinel_desktop.camera.client import CameraClient
-from pinel_desktop.camera.overhead.markers import OverheadSetup, setting_of, setup_of
+from pinel_desktop.camera.overhead.markers import (
+    OverheadSetup,
+    checked_setup,
+    setting_of,
+    setup_of,
+)
 from pinel_desktop.camera.overhead.sheets import sheets_page
 from pinel_desktop.camera.overhead_trial import sightings
+from pinel_desktop.errors import PinelError
 from pinel_desktop.gestures.opencv import cv2
 from pinel_desktop.processes.messages import Message
 from pinel_desktop.robot import Pose2D
-from pinel_desktop.school.overhead_truth import OverheadTruth
+from pinel_desktop.school.truths.floor_camera import FloorCamera
+from pinel_desktop.school.truths.overhead import OverheadTruth
 from pinel_desktop.settings import OVERHEAD, Settings
 from storage import RunStart, Store, open_store
 from tests.camera.overhead.rendering import Scene
@@ -48,6 +55,12 @@ class Camera:
         self.setup = setup
 
 
+def floor_camera(settings: Settings, camera: Camera) -> FloorCamera:
+    it = FloorCamera(settings)
+    it.use(camera)  # type: ignore[arg-type]
+    return it
+
+
 def test_the_process_sends_where_the_robot_is(pictures: Path) -> None:
     messages: list[Message] = []
     client = CameraClient(
@@ -64,15 +77,17 @@ def test_the_process_sends_where_the_robot_is(pictures: Path) -> None:
             time.sleep(0.05)
     finally:
         client.close()
-    x, y, *_ = next(one["pose"] for one in messages if one["pose"])
+    found = next(one for one in messages if one["pose"])
+    x, y, *_ = found["pose"]
     assert Pose2D(x, y).distance_to(PLACE) < 0.01
+    assert found["markers"] == [1, 2, 3, 4, 5]
 
 
 def test_poses_are_recorded_in_the_start_frame_at_the_tick_of_their_picture(store: Store) -> None:
     settings, camera = Settings(), Camera()
     settings.choose(OVERHEAD, setting_of(OverheadSetup()))
-    truth = OverheadTruth(store, settings)
-    truth.use(camera)  # type: ignore[arg-type]
+    published: list[Message] = []
+    truth = OverheadTruth(store, floor_camera(settings, camera), published.append, lambda: "en")
     run = store.runs.begin(RunStart("dds", "room", WORLD, 1, "0.3", document=SQUARE)).id
     truth.begin(run)
     assert camera.setup == OverheadSetup().model_dump()
@@ -93,12 +108,58 @@ def test_poses_are_recorded_in_the_start_frame_at_the_tick_of_their_picture(stor
     assert (tick, x, y) == (57, pytest.approx(0.011 * 27, abs=1e-3), pytest.approx(0, abs=1e-3))
 
 
+def test_a_robot_that_is_covered_and_seen_again_is_told_once_each(store: Store) -> None:
+    settings, published = Settings(), list[Message]()
+    settings.choose(OVERHEAD, setting_of(OverheadSetup()))
+    truth = OverheadTruth(store, floor_camera(settings, Camera()), published.append, lambda: "en")
+    truth.begin("r")
+    truth.observe(
+        {"type": "telemetry", "run": "r", "tick": 1, "x_m": 0.0, "y_m": 0.0, "yaw_rad": 0.0}
+    )
+    missed = {"pose": None, "age_s": 0.0, "problem": "overhead_floor_missing", "missing": [2, 3]}
+    seen = {"pose": [0.0, 0.0, 0.0, 0.003, 0.01], "age_s": 0.0, "problem": None, "missing": []}
+    for message in (seen, missed, missed, seen):
+        truth.receive(message)
+    assert [(event["state"], event["code"]) for event in published] == [
+        ("problem", "overhead_floor_missing"),
+        ("seeing", None),
+    ]
+    assert "2, 3" in published[0]["message"]
+
+
 def test_without_a_camera_above_the_floor_nothing_is_followed(store: Store) -> None:
     camera = Camera()
-    truth = OverheadTruth(store, Settings())
-    truth.use(camera)  # type: ignore[arg-type]
+    truth = OverheadTruth(store, floor_camera(Settings(), camera), lambda event: None, lambda: "en")
     truth.begin("r")
     assert camera.setup is None
+
+
+def test_a_trial_follows_the_robot_until_nobody_asks_and_gives_way_to_a_run() -> None:
+    settings, camera = Settings(), Camera()
+    it = floor_camera(settings, camera)
+    with pytest.raises(PinelError, match="overhead_not_set_up"):
+        it.try_out()
+    it.set_up(OverheadSetup())
+    assert camera.setup is None
+    assert it.try_out() is None
+    assert camera.setup is not None
+    it.receive({"pose": None, "problem": "overhead_covered", "missing": [], "markers": [1]})
+    assert (it.try_out() or {})["markers"] == [1]
+    assert it.begin_run()
+    it.end_trial()
+    assert camera.setup is not None  # of the run
+    it.set_up(None)
+    it.end_run()
+    assert camera.setup is None
+
+
+def test_a_measure_that_cannot_be_is_named_with_its_bounds() -> None:
+    measures = OverheadSetup().model_dump()
+    assert checked_setup(measures) == OverheadSetup()
+    for value in (0.1, 11.0, float("nan")):
+        with pytest.raises(PinelError) as refused:
+            checked_setup({**measures, "depth_m": value})
+        assert (refused.value.params["field"], refused.value.params["low"]) == ("depth_m", 0.5)
 
 
 def test_the_setting_is_read_back_and_nonsense_is_none() -> None:

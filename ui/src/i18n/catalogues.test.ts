@@ -44,7 +44,7 @@ function editorMessages(language: Language): object {
 
 /** What pupils read: no part of the teacher's. */
 function toPupils(language: Language): object {
-  const { teacher, exchange, making, review, calibration, ...texts } = own(language);
+  const { teacher, exchange, making, review, calibration, overhead, ...texts } = own(language);
   return { ...texts, editor: editorMessages(language) };
 }
 

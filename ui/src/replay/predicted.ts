@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { RunPrediction, RunWithVersion } from "../api/model";
-import { predictionsApi } from "../api/real_runs";
+import { predictionsApi, truthsApi } from "../api/real_runs";
 import type { Fault } from "../editor";
 import { language, texts } from "../i18n";
 import { useInstance } from "../kit/instance";
@@ -10,10 +10,11 @@ import { ghostOf } from "../prediction/ghost";
 import { isPredictionShown } from "../prediction/shown";
 import { predictionText } from "../prediction/words";
 import { SIMULATOR } from "../run/real/real_robot";
-import { isLive } from "../run/reducer";
+import { IDLE, isLive } from "../run/reducer";
 import type { Companion } from "../scene/companion";
 import { robotOf } from "../shell/session";
 import { truthChanges } from "../truth/changes";
+import { measuredPieces, sourceOfPath } from "../truth/measured_path";
 import type { RecordedRun } from "./recorded_run";
 
 /** The prediction of a recorded run, while it is shown. */
@@ -31,10 +32,15 @@ class PredictedRun implements Predicted {
   readonly problem = signal("");
   readonly companion = computed(() => {
     const { run, playback, stretches } = this.recordedRun;
-    const { value: prediction } = this.shown;
-    if (!prediction) return null;
+    const [prediction, measured] = [this.shown.value, this.measured.value];
     const [world, robot] = [run.world_document, robotOf(run.model)];
-    return ghostOf({ prediction, world, robot, stretches, tick: playback.tick.value });
+    if (prediction) {
+      const tick = playback.tick.value;
+      return { ...ghostOf({ prediction, world, robot, stretches, tick }), measured };
+    }
+    return measured
+      ? { world, robot: null, livery: null, view: IDLE, measured, pose: atStart }
+      : null;
   });
   readonly advice = computed<readonly Fault[]>(() => {
     const { value: prediction } = this.shown;
@@ -45,7 +51,17 @@ class PredictedRun implements Predicted {
   });
   private readonly shown = computed(() => (isPredictionShown.value ? this.prediction.value : null));
 
+  /** The path that a camera or the robot's localisation saw. */
+  private readonly measured = signal<Companion["measured"]>(undefined);
+
   constructor(private readonly recordedRun: RecordedRun) {}
+
+  /** Loads the path that was measured. Without it, the run is shown as it is. */
+  async loadMeasured(): Promise<void> {
+    const truths = await truthsApi.of(this.recordedRun.run.id).catch(() => null);
+    const truth = truths && sourceOfPath(truths);
+    this.measured.value = truth ? measuredPieces(truth) : undefined;
+  }
 
   async load(): Promise<void> {
     try {
@@ -61,9 +77,13 @@ class PredictedRun implements Predicted {
 export function usePredicted(recordedRun: RecordedRun): Predicted {
   const predicted = useInstance(() => new PredictedRun(recordedRun));
   useEffect(() => {
-    if (isOfRealRobot(recordedRun.run)) void predicted.load();
+    if (!isOfRealRobot(recordedRun.run)) return;
+    void predicted.load();
+    void predicted.loadMeasured();
   }, [predicted, truthChanges.value]);
   return predicted;
 }
 
 export const isOfRealRobot = ({ link }: Pick<RunWithVersion, "link">) => link !== SIMULATOR;
+
+const atStart = () => IDLE.pose;

@@ -11,6 +11,7 @@ const TOKENS = {
   start: "--floor-start",
   path: "--floor-path",
   ideal: "--floor-ideal",
+  measured: "--floor-measured",
   robot: "--robot-body",
   deck: "--robot-deck",
   wheel: "--robot-wheel",

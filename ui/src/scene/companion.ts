@@ -1,6 +1,6 @@
 import type { Robot, World } from "../api/model";
 import type { Pose, RunView } from "../run/reducer";
-import { points } from "../run/trail";
+import { type Point, points } from "../run/trail";
 import type { Colours } from "./colours";
 import { toStartFrame } from "./frames";
 import type { Viewport } from "./framing/viewport";
@@ -14,13 +14,15 @@ export interface Companion {
   /** Null for the colour of its path. */
   readonly livery: Livery | null;
   readonly view: RunView;
+  /** Pieces of the path that a source of truth saw, start frame of the world. */
+  readonly measured?: readonly (readonly Point[])[] | undefined;
   pose(): Pose;
 }
 
-/** Draws the second run with a dashed path, so that the two runs do not differ by colour alone. */
+/** Draws the second run with a dashed path and the measured one dotted, so that no path differs by colour alone. */
 export function drawCompanion(
   ctx: CanvasRenderingContext2D,
-  { world, robot, livery, view, pose }: Companion,
+  { world, robot, livery, view, measured, pose }: Companion,
   { scale }: Viewport,
   colours: Colours,
   ratio: number,
@@ -37,7 +39,24 @@ export function drawCompanion(
   ctx.setLineDash([12 / scale, 7 / scale]);
   ctx.stroke();
   ctx.setLineDash([]);
+  for (const piece of measured ?? []) drawDotted(ctx, piece, colours.measured, 1 / scale);
   const itsColours = { ...colours, robot: colours.start };
   if (robot) drawRobot(ctx, robot, here, itsColours, scale * ratio, livery);
   ctx.restore();
+}
+
+function drawDotted(
+  ctx: CanvasRenderingContext2D,
+  piece: readonly Point[],
+  colour: string,
+  px: number,
+): void {
+  ctx.beginPath();
+  for (const point of piece) ctx.lineTo(...point);
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = 5 * px;
+  ctx.lineCap = "round";
+  ctx.setLineDash([0, 10 * px]);
+  ctx.stroke();
+  ctx.setLineDash([]);
 }

@@ -18,6 +18,7 @@ import type {
   SignsChangedEvent,
   Status,
   StreamEvent,
+  TruthSourceChangedEvent,
   World,
 } from "../api/model";
 import { type Language, language, setLanguage, texts } from "../i18n";
@@ -167,8 +168,8 @@ interface CameraEventHandler {
   resync(): Promise<void>;
 }
 
-/** Receiver of the states of the real robots that this page watches. */
-type RobotEventHandler = (event: RobotStateChangedEvent) => void;
+/** Receiver of the states of the real robots that this page watches, and of the sources of truth of their runs. */
+type RobotEventHandler = (event: RobotStateChangedEvent | TruthSourceChangedEvent) => void;
 
 function onStream(
   event: StreamEvent,
@@ -189,6 +190,7 @@ function onStream(
       camera.receive(event);
       break;
     case "robot_state":
+    case "truth_source":
       robots(event);
       break;
     case "notice":

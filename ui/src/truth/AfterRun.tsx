@@ -7,9 +7,11 @@ import { Button } from "../kit/Button";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { live, liveRun } from "../run/live";
 import { SIMULATOR } from "../run/real/real_robot";
+import { followedRun } from "../run/real/truth_sources";
 import { isLive } from "../run/reducer";
+import { truthChanges } from "./changes";
 import { TapeForm } from "./TapeForm";
-import { truthSentences } from "./words";
+import { followedSentences, truthSentences } from "./words";
 
 /** Id of the run about which the group has answered or does not want to. */
 const skippedRun = signal<string | null>(null);
@@ -30,7 +32,7 @@ interface QuestionProps {
 }
 
 function Question({ run, model }: QuestionProps) {
-  const truths = useLoaded(run, () => truthsApi.of(run));
+  const truths = useLoaded([run, truthChanges.value], () => truthsApi.of(run));
   const isMeasuring = useSignal(false);
   const skip = () => {
     skippedRun.value = run;
@@ -53,6 +55,7 @@ function Question({ run, model }: QuestionProps) {
         />
       ) : (
         <Asked
+          run={run}
           truths={truths.value}
           onMeasure={() => {
             isMeasuring.value = true;
@@ -65,13 +68,14 @@ function Question({ run, model }: QuestionProps) {
 }
 
 interface AskedProps {
+  run: string;
   truths: TruthList;
   onMeasure(): void;
   onSkip(): void;
 }
 
 /** The question, or what was measured. */
-function Asked({ truths, onMeasure, onSkip }: AskedProps) {
+function Asked({ run, truths, onMeasure, onSkip }: AskedProps) {
   const { truth: words } = texts.value;
   const sentences = truthSentences(truths, texts.value, language.value);
   return (
@@ -83,6 +87,7 @@ function Asked({ truths, onMeasure, onSkip }: AskedProps) {
           {text}
         </p>
       ))}
+      <Followed run={run} />
       <div class="row wrap gap-2">
         <Button icon={Ruler} testId="tape-open" onPress={onMeasure}>
           {sentences.length > 0 ? words.change : words.measure}
@@ -92,5 +97,18 @@ function Asked({ truths, onMeasure, onSkip }: AskedProps) {
         </Button>
       </div>
     </section>
+  );
+}
+
+/** What went wrong with the sources that followed the robot in this run. */
+function Followed({ run }: { run: string }) {
+  return (
+    <>
+      {followedSentences(followedRun(run).value, texts.value).map((text) => (
+        <p key={text} data-testid="followed-line">
+          {text}
+        </p>
+      ))}
+    </>
   );
 }

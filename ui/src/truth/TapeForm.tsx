@@ -9,7 +9,7 @@ import { Form } from "../kit/Form";
 import { RadioGroup } from "../kit/RadioGroup";
 import { useAction } from "../kit/requests/action";
 import { FaultLine } from "../kit/requests/FaultLine";
-import { truthChanges } from "./changes";
+import { countTyped } from "./changes";
 import { HeadingChoice } from "./HeadingChoice";
 import { TruthPicture } from "./TruthPicture";
 import { type Distance, entryOf, isWrong, MAX_CM, poseOf, type TapeEntry } from "./tape";
@@ -34,7 +34,7 @@ export function TapeForm({ run, model, truths, onSaved, onClose }: TapeFormProps
   const put = (poses: NonNullable<typeof pose>[]) =>
     act(async () => {
       onSaved(await truthsApi.put(run, "tape", poses));
-      truthChanges.value++;
+      countTyped();
     });
   return (
     <Form

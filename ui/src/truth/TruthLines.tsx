@@ -6,6 +6,7 @@ import { language, texts } from "../i18n";
 import { Button } from "../kit/Button";
 import { useLoaded } from "../kit/requests/useLoaded";
 import { SIMULATOR } from "../run/real/real_robot";
+import { sourceOfPath } from "./measured_path";
 import { TapeForm } from "./TapeForm";
 import { truthSentences } from "./words";
 
@@ -24,15 +25,27 @@ function LoadedLines({ run }: { run: string }) {
   return truths.status === "ready" ? <Sentences of={truths.value} /> : null;
 }
 
-function Sentences({ of }: { of: TruthList }) {
+/** With `hasPath` the line of the path on the floor stands before its source. */
+function Sentences({ of, hasPath = false }: { of: TruthList; hasPath?: boolean }) {
+  const drawn = hasPath ? sourceOfPath(of)?.source : undefined;
   return (
     <>
       {truthSentences(of, texts.value, language.value).map(({ source, text }) => (
         <p key={source} class="truth-line" data-testid="truth-line" data-source={source}>
+          {source === drawn && <MeasuredSwatch />}
           {text}
         </p>
       ))}
     </>
+  );
+}
+
+/** The line style of the measured path. */
+function MeasuredSwatch() {
+  return (
+    <svg class="measured-swatch" viewBox="0 0 28 6" role="img" aria-label={texts.value.truth.path}>
+      <path d="M3 3h24" />
+    </svg>
   );
 }
 
@@ -56,7 +69,7 @@ function Measurable({ run }: { run: MeasurableRun }) {
   return (
     <div class="measured row middle wrap gap-2">
       <div class="measured__lines">
-        <Sentences of={truths.value} />
+        <Sentences of={truths.value} hasPath />
       </div>
       <Button
         icon={Ruler}

@@ -1,15 +1,45 @@
 import type { BelievedPose, Language, Truth, TruthList } from "../api/model";
 import type { Texts } from "../i18n";
-import { degrees, headingDegrees, metres } from "../i18n/format";
+import { degrees, duration, headingDegrees, metres } from "../i18n/format";
+import type { FollowedRun } from "../run/real/truth_sources";
 
 type Place = BelievedPose;
 
 /** What a source says about the end of a run, and what the robot believed: each a sentence, the source named. */
-export function truthSentences({ truths, believed }: TruthList, of: Texts, language: Language) {
-  return truths.map((truth) => ({
+export function truthSentences(list: TruthList, of: Texts, language: Language) {
+  return list.truths.map((truth) => ({
     source: truth.source,
-    text: [sentence(truth, of, language), difference(truth, believed, of, language)].join(" "),
+    text: [
+      sentence(truth, of, language),
+      difference(truth, list.believed, of, language),
+      coverage(truth, list.run_s, of, language),
+    ]
+      .filter(Boolean)
+      .join(" "),
   }));
+}
+
+/** For how long of the run a camera or a localisation knew the place; "" for a tape measure. */
+function coverage(
+  { source, covered_s }: Truth,
+  run_s: number,
+  { truth: words }: Texts,
+  language: Language,
+): string {
+  if (source === "tape") return "";
+  const [seen, whole] = [Math.min(covered_s, run_s), run_s].map((one) => duration(one, language));
+  return words.covered[source]({ seen: seen ?? "", whole: whole ?? "" });
+}
+
+/** What went wrong with each source that followed the robot in a run that is over. */
+export function followedSentences(
+  sources: readonly (FollowedRun & { readonly source: Truth["source"] })[],
+  { truth: words }: Texts,
+): string[] {
+  return sources.flatMap(({ source, state, problems }) => [
+    ...(state === "nothing" && source !== "tape" ? [words.nothing[source]] : []),
+    ...(problems.length > 0 ? [words.during({ problems: problems.join(" ") })] : []),
+  ]);
 }
 
 function sentence(truth: Truth, { truth: words }: Texts, language: Language): string {

@@ -4,8 +4,8 @@
 
 CONFIGURATION is a JSON object:
 
-- `command_topic`, `odometry_topic`, `scan_topic`, `sonar_topic`, `bumper_topic`, `battery_topic`: full topic names, or
-  "" for none;
+- `command_topic`, `odometry_topic`, `scan_topic`, `sonar_topic`, `bumper_topic`, `battery_topic`, `localisation_topic`:
+  full topic names, or "" for none;
 - `domain`: the ROS_DOMAIN_ID;
 - `holder`: part of the node's name;
 - `drives`: if false, the node only listens.
@@ -14,9 +14,9 @@ Standard input has JSON lines `{"twist": [m/s, rad/s]}`. If no line arrives for 
 zeros. If the input ends during the search for the robot, the node exits at once.
 
 Standard output has JSON lines, each with a `type`: `imported` (rclpy), `ready`, `odometry`, `scan`, `range`,
-`points`, `bumper`, `battery`, `published` and `withdrawn` (with the name of a sensor), `problem` (with code and
-params). A node that only listens also writes `holder` (name of the node that drives the robot, or null). An app that
-does not read blocks nothing: of each type only the newest line is queued.
+`points`, `bumper`, `battery`, `localised`, `published` and `withdrawn` (with the name of a sensor), `problem` (with
+code and params). A node that only listens also writes `holder` (name of the node that drives the robot, or null). An
+app that does not read blocks nothing: of each type only the newest line is queued.
 
 The node uses only the standard library and rclpy. It must work with Python 3.8, the version of ROS 2 Foxy.
 """
@@ -32,6 +32,7 @@ from command_claim import PINEL, CommandClaim, RefusalError
 from drivers import FINAL_ZEROS_S, LOST_TIMEOUT_S, UNMATCHED_TIMEOUT_S
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from inbox import Inbox
+from localisation import Localisation
 from nav_msgs.msg import Odometry
 from outbox import Outbox
 from rclpy.context import Context
@@ -85,6 +86,7 @@ class RobotConnection:
         self._drives = configuration.get("drives", True)
         self._messages = Messages(outbox)
         self._sensors = Sensors(node, configuration, self._messages, outbox)
+        self._localisation = Localisation(node, configuration, outbox, ANY)
         self._last_command_s, self._unmatched_since_s = time.monotonic(), None
         self._claim = CommandClaim(node, self._command_topic, self._odometry_topic)
 
@@ -102,6 +104,7 @@ class RobotConnection:
         callback = messages.on_odometry if odometry is Odometry else messages.on_pose
         self._node.create_subscription(odometry, self._odometry_topic, callback, ANY)
         self._sensors.poll()
+        self._localisation.poll()
         if self._drives:
             self._publish()
 
@@ -205,6 +208,7 @@ class RobotConnection:
 
     def _poll_graph(self):
         self._sensors.poll()
+        self._localisation.poll()
         if not self._drives:
             self._outbox.put("holder", name=self._claim.holder())
             return

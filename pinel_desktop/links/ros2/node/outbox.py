@@ -7,7 +7,14 @@ import threading
 import time
 
 # minimum time in s between two lines of a kind; of more frequent lines only the newest is written
-MIN_INTERVALS_S = {"odometry": 0.005, "scan": 0.1, "range": 0.1, "points": 0.1, "battery": 1.0}
+MIN_INTERVALS_S = {
+    "odometry": 0.005,
+    "localised": 0.02,
+    "scan": 0.1,
+    "range": 0.1,
+    "points": 0.1,
+    "battery": 1.0,
+}
 CLOSE_TIMEOUT_S = 1.0
 
 

@@ -5,8 +5,10 @@ import math
 from flask import Response
 
 from pinel_desktop.errors import PinelError
+from pinel_desktop.execution.clock import TICK_HZ
 from pinel_desktop.robot import Pose2D
-from pinel_desktop.runs.truth import check_in_room, read_truth
+from pinel_desktop.runs.truth import Truth as KnownTruth
+from pinel_desktop.runs.truth import check_in_room, read_truth, truths_of
 from pinel_desktop.web.api import WRITES, Resource, responses
 from pinel_desktop.web.api.runs import world_of
 from pinel_desktop.web.models import IdPath
@@ -21,6 +23,7 @@ from pinel_desktop.web.models.real.truths import (
 from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from storage import SIMULATOR, RunRow, TruePoseRow, TruthRow
+from storage.runs.telemetry import Telemetry
 
 api = Resource("truths", "Where real robots truly were in their runs.", __name__)
 
@@ -69,18 +72,20 @@ def _row(pose: TruePose) -> TruePoseRow:
 
 def _truths(run_id: str) -> Response:
     rows = services().store.truths.of_run(run_id)
+    telemetry = services().store.runs.telemetry(run_id)
+    truths = [_truth(row, truth) for row, truth in zip(rows, truths_of(rows), strict=True)]
     return json_response(
-        TruthList(truths=[_truth(row) for row in rows], believed=_believed(run_id))
+        TruthList(truths=truths, believed=_believed(telemetry), run_s=len(telemetry.rows) / TICK_HZ)
     )
 
 
-def _truth(row: TruthRow) -> Truth:
+def _truth(row: TruthRow, truth: KnownTruth) -> Truth:
     names = TruePose.model_fields
-    return Truth.of(row, poses=[dict(zip(names, pose, strict=True)) for pose in row.poses])
+    poses = [dict(zip(names, pose, strict=True)) for pose in row.poses]
+    return Truth.of(row, poses=poses, covered_s=truth.covered_ticks / TICK_HZ)
 
 
-def _believed(run_id: str) -> BelievedPose | None:
-    telemetry = services().store.runs.telemetry(run_id)
+def _believed(telemetry: Telemetry) -> BelievedPose | None:
     if not len(telemetry.rows):
         return None
     x, y, heading = (float(telemetry.column(name)[-1]) for name in ("x_m", "y_m", "yaw_rad"))

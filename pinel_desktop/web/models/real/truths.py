@@ -28,6 +28,9 @@ class Truth(ResponseModel):
     source: Source
     measured_at: Time
     poses: Annotated[list[TruePose], Field(description="in the order of their ticks")]
+    covered_s: Annotated[
+        float, Field(description="for how long of the run the source knows the robot's place")
+    ]
 
 
 class BelievedPose(ResponseModel):
@@ -46,6 +49,7 @@ class TruthList(ResponseModel):
         BelievedPose | None,
         Field(description="where the robot believed to be at the end; null without samples"),
     ]
+    run_s: Annotated[float, Field(description="robot time of the run so far")]
 
 
 class TruthPoses(RequestModel):

@@ -38,3 +38,14 @@ class PoseStamped:
     @staticmethod
     def of(report):
         return SimpleNamespace(pose=pose(report), header=header_of(report))
+
+
+class PoseWithCovarianceStamped:
+    KIND = "localised"
+
+    @staticmethod
+    def of(report):
+        covariance = [0.0] * 36
+        covariance[0] = covariance[7] = 0.0004
+        inner = SimpleNamespace(pose=pose(report), covariance=covariance)
+        return SimpleNamespace(pose=inner, header=header_of(report))

@@ -14,6 +14,7 @@ import { chosenRobot } from "../../run/real/real_robot";
 import { isLive } from "../../run/reducer";
 import { helpIsOpen } from "../../shell/help";
 import { lazy } from "../../shell/lazy";
+import { SourceTrouble } from "../../truth/SourceTrouble";
 import { CloudLine } from "../cloud/CloudLine";
 import { BeforeRun } from "../real_robot/BeforeRun";
 import { Controls } from "../run_bar/Controls";
@@ -51,6 +52,7 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <Controls control={control} />
       <Status control={control} />
       <Predicted control={control} />
+      {control.mine.value && <SourceTrouble />}
       <CloudLine control={control} />
       <BeforeRun control={control} />
       {control.mine.value && chosenRobot.value && <AfterRun />}

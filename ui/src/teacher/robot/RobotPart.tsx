@@ -8,6 +8,7 @@ import { robotLabel } from "../../run/real/RobotName";
 import { realRobots } from "../../run/real/real_robot";
 import { useTeacherLoaded } from "../useTeacherLoaded";
 import { CalibrationPart } from "./calibration/CalibrationPart";
+import { OverheadPart } from "./overhead/OverheadPart";
 import { RobotForm } from "./RobotForm";
 
 /** The real robots of this PC, with forms for address, limits and room. */
@@ -31,6 +32,7 @@ export function RobotPart() {
           />
         )}
       </Loaded>
+      <OverheadPart />
       <CalibrationPart />
     </>
   );
