@@ -28,6 +28,7 @@ _COMMANDS = {
 _SUBMODULES = {
     "calibrate": "robots.calibrate",
     "overhead": "pc.overhead",
+    "pin": "pc.pin",
     "salvage": "recovery.salvage",
     "setup": "pc.setup",
     "sweep": "batch.sweep",

@@ -10,6 +10,7 @@ from storage.recording import RunRecorder, warm_up
 from storage.row_types import (
     CALIBRATED_ROBOT,
     SIMULATOR,
+    CalibratedRobotRow,
     ClassroomRow,
     FaultRow,
     GroupRow,
@@ -33,6 +34,7 @@ from storage.work.lesson_history import GroupHistory, GroupSummary, LessonHistor
 __all__ = [
     "CALIBRATED_ROBOT",
     "SIMULATOR",
+    "CalibratedRobotRow",
     "ClassroomRow",
     "FaultRow",
     "GroupHistory",

@@ -3,12 +3,17 @@ import type { CloudRow } from "../../api/model";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
 import { Select } from "../../kit/Select";
-import type { StudioControl } from "../studio_control";
 import type { CloudControl } from "./cloud_control";
 
+interface CloudLineProps {
+  of: CloudControl;
+  /** What the mission gives to the program in each of its cases, as text. */
+  cases: readonly string[];
+  onCase(number: number): void;
+}
+
 /** What the 50 robots did, in a sentence, and what can be chosen; nothing while none were asked for. */
-export function CloudLine({ control }: { control: StudioControl }) {
-  const { cloud: of } = control;
+export function CloudLine({ of, cases, onCase }: CloudLineProps) {
   const { value: now } = of.now;
   const { cloud } = texts.value;
   if (!now) return null;
@@ -29,7 +34,7 @@ export function CloudLine({ control }: { control: StudioControl }) {
       {/* the sentence at the end only: a reader would otherwise read every robot */}
       <output class="visually-hidden">{of.isRunning.value ? "" : sentenceOf(of)}</output>
       <div class="column gap-1 rigid">
-        <Cases control={control} chosen={now.reads.case} />
+        <Cases of={of} cases={cases} onCase={onCase} />
         {isOver && now.rows.length > 0 && <Robots of={of} rows={now.rows} />}
       </div>
       <Button icon={X} tip={cloud.close} testId="cloud-close" onPress={() => of.close()} />
@@ -38,9 +43,8 @@ export function CloudLine({ control }: { control: StudioControl }) {
 }
 
 /** Chooses what a mission gives to the robots, where it tries a program with several signs, answers or starts. */
-function Cases({ control, chosen }: { control: StudioControl; chosen: number }) {
+function Cases({ of, cases, onCase }: CloudLineProps) {
   const { cloud } = texts.value;
-  const cases = control.open.mission.value?.cases ?? [];
   if (cases.length < 2) return null;
   return (
     <Select
@@ -48,10 +52,10 @@ function Cases({ control, chosen }: { control: StudioControl; chosen: number }) 
       label={cloud.case}
       tip={cloud.caseHelp}
       testId="cloud-case"
-      disabled={control.cloud.isRunning.value}
-      value={chosen}
+      disabled={of.isRunning.value}
+      value={of.now.value?.reads.case ?? 1}
       options={cases.map((given, index) => [index + 1, given] as const)}
-      onChange={(number) => control.startCloud(number)}
+      onChange={onCase}
     />
   );
 }

@@ -53,7 +53,11 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <Status control={control} />
       <Predicted control={control} />
       {control.mine.value && <SourceTrouble />}
-      <CloudLine control={control} />
+      <CloudLine
+        of={control.cloud}
+        cases={control.open.mission.value?.cases ?? []}
+        onCase={(number) => control.startCloud(number)}
+      />
       <BeforeRun control={control} />
       {control.mine.value && chosenRobot.value && <AfterRun />}
       <Forgotten control={control} />
