@@ -14,7 +14,6 @@ import { chosenRobot } from "../../run/real/real_robot";
 import { isLive } from "../../run/reducer";
 import { helpIsOpen } from "../../shell/help";
 import { lazy } from "../../shell/lazy";
-import { SourceTrouble } from "../../truth/SourceTrouble";
 import { CloudLine } from "../cloud/CloudLine";
 import { BeforeRun } from "../real_robot/BeforeRun";
 import { Controls } from "../run_bar/Controls";
@@ -25,6 +24,7 @@ import { Stage } from "./Stage";
 
 const LastRunTimeline = lazy(async () => (await import("./LastRunTimeline")).LastRunTimeline);
 const AfterRun = lazy(async () => (await import("../../truth/AfterRun")).AfterRun);
+const SourceTrouble = lazy(async () => (await import("../../truth/SourceTrouble")).SourceTrouble);
 const HelpPanel = lazy(async () => (await import("../help/HelpPanel")).HelpPanel);
 
 export function FloorPane({ control }: { control: StudioControl }) {
@@ -52,12 +52,8 @@ export function FloorPane({ control }: { control: StudioControl }) {
       <Controls control={control} />
       <Status control={control} />
       <Predicted control={control} />
-      {control.mine.value && <SourceTrouble />}
-      <CloudLine
-        of={control.cloud}
-        cases={control.open.mission.value?.cases ?? []}
-        onCase={(number) => control.startCloud(number)}
-      />
+      {control.mine.value && chosenRobot.value && <SourceTrouble />}
+      <Robots control={control} />
       <BeforeRun control={control} />
       {control.mine.value && chosenRobot.value && <AfterRun />}
       <Forgotten control={control} />
@@ -94,6 +90,17 @@ function Status({ control }: { control: StudioControl }) {
   const isBefore = useComputed(() => !control.mine.value || robot.live.value.phase === "idle");
   const isReplaced = control.cloud.now.value !== null && isBefore.value;
   return isReplaced ? null : <StatusLine sentence={control.sentence.value} />;
+}
+
+/** What the 50 robots did. */
+function Robots({ control }: { control: StudioControl }) {
+  return (
+    <CloudLine
+      of={control.cloud}
+      cases={control.open.mission.value?.cases ?? []}
+      onCase={(number) => control.startCloud(number)}
+    />
+  );
 }
 
 /** After a run on a real robot: what it did otherwise than predicted. */
