@@ -111,7 +111,8 @@ def _calibrated(school: School) -> None:
     camera = school.camera
     if camera.of("robot-forget").is_visible():
         camera.press("robot-forget")
-    for run in camera.of("real-run").all()[:3]:
+    measured = camera.of("real-run").filter(has=camera.page.locator(".calibration__measured"))
+    for run in measured.all()[-3:]:
         run.get_by_role("checkbox").check()
     camera.press("calibrate")
     camera.of("calibration-result").wait_for(timeout=60_000)

@@ -80,7 +80,7 @@ def test_the_height_of_the_marker_above_the_floor_is_accounted_for() -> None:
 def test_floor_markers_that_are_missing_are_named() -> None:
     scene = Scene(hidden=frozenset({1, 2}))
     sighting = OverheadTracker(scene.setup).update(0, scene.picture(MIDDLE))
-    assert sighting == Sighting(None, "overhead_floor_missing", (2, 3))
+    assert sighting == Sighting(None, "overhead_floor_missing", (2, 3), (1, 4, 5))
 
 
 def test_impossible_measurements_are_reported() -> None:
@@ -95,7 +95,7 @@ def test_a_covered_robot_is_told_after_half_a_second() -> None:
     scene = Scene()
     tracker = calibrated(scene)
     assert tracker.update(1.0, scene.picture(MIDDLE)).seen
-    assert tracker.update(1.3, scene.picture(None)) == Sighting(None)
+    assert tracker.update(1.3, scene.picture(None)) == Sighting(None, markers=(1, 2, 3, 4))
     assert tracker.update(1.6, scene.picture(None)).problem == "overhead_covered"
     assert tracker.update(1.7, scene.picture(MIDDLE)).seen
 
@@ -127,7 +127,7 @@ def test_a_floor_marker_that_somebody_kicked_is_told() -> None:
     pushed = replace(scene, setup=_Kicked())
     for n in range(3):
         sighting = tracker.update(1 + n * FRAME_S, pushed.picture(MIDDLE))
-    assert sighting == Sighting(None, "overhead_marker_moved", (3,))
+    assert sighting == Sighting(None, "overhead_marker_moved", (3,), (1, 2, 3, 4, 5))
 
 
 class _Kicked(OverheadSetup):
