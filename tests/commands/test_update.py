@@ -225,12 +225,31 @@ def test_an_open_program_is_closed_in_words_also_one_that_does_not_listen(
 ) -> None:
     monkeypatch.setattr(running, "_CLOSING_S", 2)
     program = folder / "programa" / "pinel"
-    shutil.copy("/bin/dash", program)
+    shutil.copy(Path("/bin/sh").resolve(), program)
     with subprocess.Popen([program, "-c", f"{script}; :"], stdin=subprocess.PIPE) as process:
         done = run(release(_NEW))
         assert process.poll() is not None
     assert "PINEL is open and will be closed" in done.output
     assert said(folder / "programa") == _NEW
+
+
+@pytest.mark.waits
+def test_an_ended_program_is_not_open_although_its_parent_has_not_read_its_end(
+    folder: Path,
+    release: Release,
+    run: Callable[[Path], Result],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(running, "_CLOSING_S", 2)
+    program = folder / "programa" / "pinel"
+    shutil.copy(Path("/bin/sh").resolve(), program)
+    script = f"'{program}' -c 'while :; do sleep 0.1; done' & exec sleep 100"
+    with subprocess.Popen(["sh", "-c", script]) as parent:
+        while not running.running(program):
+            assert parent.poll() is None
+        done = run(release(_NEW))
+        parent.kill()
+    assert (done.exit_code, said(folder / "programa")) == (0, _NEW), done.output
 
 
 @pytest.mark.waits
