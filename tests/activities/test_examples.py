@@ -60,7 +60,7 @@ def test_an_example_says_what_it_shows_in_every_language(name: str) -> None:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_every_word_for_shipped_programs_stands_in_one(language: str) -> None:
+def test_every_word_for_shipped_programs_occurs_in_one(language: str) -> None:
     programs = [
         *(program_of_example(name, SOURCE_LANGUAGE).document for name in EXAMPLES),
         *(start_of(name, SOURCE_LANGUAGE) for name in activity_names()),

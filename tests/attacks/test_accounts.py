@@ -66,7 +66,7 @@ def test_a_name_with_accents_and_spaces_is_a_home_like_any(home: Path, locale: s
     assert (folder / ".local" / "share" / "pinel" / "pinel.db").is_file()
 
 
-def test_a_home_in_which_only_root_may_write_is_told(home: Path) -> None:
+def test_a_home_in_which_only_root_may_write_is_reported(home: Path) -> None:
     folder = make_home(
         home / "ana", 0, mode=0o755
     )  # as a server that takes root's files for nobody's
@@ -76,7 +76,9 @@ def test_a_home_in_which_only_root_may_write_is_told(home: Path) -> None:
         assert pinel.create("Onças") >= 400
 
 
-def test_a_home_that_grants_no_locks_is_told_and_the_work_is_there_when_it_does(home: Path) -> None:
+def test_a_home_that_grants_no_locks_is_reported_and_the_work_is_there_when_it_does(
+    home: Path,
+) -> None:
     library = library_without_locks(home)
     folder = make_home(home / "ana", ANA)
     with session(ANA, folder) as pinel:

@@ -78,6 +78,12 @@ def run(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[Path], Resul
     return lambda file: CliRunner().invoke(main, ["update", str(file)])
 
 
+@pytest.fixture
+def program(folder: Path) -> Path:
+    """The program in the folder as a shell, which a test can keep open."""
+    return Path(shutil.copy(Path("/bin/sh").resolve(), folder / "programa" / "pinel"))
+
+
 def last_backup(folder: Path) -> int:
     return list_backups(folder / "pinel-data" / "pinel.db")[0].number
 
@@ -107,7 +113,7 @@ def test_without_work_there_is_no_backup_and_no_new_file(
     assert not list((folder / "pinel-data").glob("pinel.db*"))
 
 
-def test_the_same_release_mends_a_program(
+def test_the_same_release_repairs_a_program(
     folder: Path, release: Release, run: Callable[[Path], Result]
 ) -> None:
     (folder / "programa" / "_internal" / "data").write_text("damaged", "utf-8")
@@ -219,13 +225,12 @@ def test_on_a_full_disk_the_old_program_and_the_work_stay(
 def test_an_open_program_is_closed_in_words_also_one_that_does_not_listen(
     script: str,
     folder: Path,
+    program: Path,
     release: Release,
     run: Callable[[Path], Result],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(running, "_CLOSING_S", 2)
-    program = folder / "programa" / "pinel"
-    shutil.copy(Path("/bin/sh").resolve(), program)
     with subprocess.Popen([program, "-c", f"{script}; :"], stdin=subprocess.PIPE) as process:
         done = run(release(_NEW))
         assert process.poll() is not None
@@ -236,13 +241,12 @@ def test_an_open_program_is_closed_in_words_also_one_that_does_not_listen(
 @pytest.mark.waits
 def test_an_ended_program_is_not_open_although_its_parent_has_not_read_its_end(
     folder: Path,
+    program: Path,
     release: Release,
     run: Callable[[Path], Result],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(running, "_CLOSING_S", 2)
-    program = folder / "programa" / "pinel"
-    shutil.copy(Path("/bin/sh").resolve(), program)
     script = f"'{program}' -c 'while :; do sleep 0.1; done' & exec sleep 100"
     with subprocess.Popen(["sh", "-c", script]) as parent:
         while not running.running(program):
@@ -255,14 +259,13 @@ def test_an_ended_program_is_not_open_although_its_parent_has_not_read_its_end(
 @pytest.mark.waits
 def test_a_program_that_another_account_has_open_is_named(
     folder: Path,
+    program: Path,
     release: Release,
     run: Callable[[Path], Result],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(running, "_CLOSING_S", 0.1)
     monkeypatch.setattr(running, "_ask", lambda end: None)  # as without the right to end it
-    shutil.copy("/bin/dash", folder / "programa" / "pinel")
-    program = folder / "programa" / "pinel"
     with subprocess.Popen([program, "-c", "read line; :"], stdin=subprocess.PIPE) as process:
         done = run(release(_NEW))
         assert f"still open, perhaps in another account (process {process.pid})" in done.output

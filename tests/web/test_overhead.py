@@ -19,7 +19,7 @@ def teacher(app: App, browser: Browser) -> Iterator[Browser]:
     app._floor_camera.end_trial()
 
 
-def test_measures_are_kept_and_the_camera_is_switched_off(app: App, teacher: Browser) -> None:
+def test_measures_are_saved_and_the_camera_is_switched_off(app: App, teacher: Browser) -> None:
     assert teacher.get("/api/overhead").data["is_on"] is False
     assert teacher.put("/api/overhead", MEASURES).data == {"is_on": True, **MEASURES}
     assert app._settings[OVERHEAD] == "2500-2000-2700-250"
@@ -38,7 +38,7 @@ def test_the_sheets_are_those_of_the_command(teacher: Browser) -> None:
     assert teacher.get("/api/overhead/sheets").data["page"].count("<section>") == 5
 
 
-def test_a_trial_tells_what_the_camera_sees(app: App, teacher: Browser) -> None:
+def test_a_trial_reports_what_the_camera_detects(app: App, teacher: Browser) -> None:
     assert teacher.post("/api/overhead/trial").data["error"]["code"] == "overhead_not_set_up"
     teacher.put("/api/overhead", MEASURES)
     assert teacher.post("/api/overhead/trial").data["code"] is None  # the camera starts

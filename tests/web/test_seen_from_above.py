@@ -62,7 +62,7 @@ def wait_for(condition: Callable[[], Any]) -> Any:
     return found
 
 
-def test_a_run_seen_from_above_is_compared_by_the_camera(
+def test_a_run_under_the_overhead_camera_is_compared_by_it(
     start_app: Callable[..., App], robot: dict[str, Any]
 ) -> None:
     app = start_app(make_engine=watched_engine)

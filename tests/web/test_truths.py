@@ -80,7 +80,7 @@ def test_the_estimate_of_the_robot_is_in_the_answer_too(app: App, browser: Brows
     assert believed["x_m"] == pytest.approx(app._store.runs.telemetry(run).column("x_m")[-1])
 
 
-def test_how_long_a_camera_knew_the_place_is_told(browser: Browser, run: str) -> None:
+def test_the_time_with_a_pose_of_the_camera_is_reported(browser: Browser, run: str) -> None:
     seen = [{**END, "tick": tick} for tick in (*range(31), *range(60, 91))]  # covered for a second
     (camera,) = browser.put(f"/api/runs/{run}/truths/camera", poses(*seen)).data["truths"]
     assert camera["covered_s"] == 2.0

@@ -108,7 +108,7 @@ def test_poses_are_recorded_in_the_start_frame_at_the_tick_of_their_picture(stor
     assert (tick, x, y) == (57, pytest.approx(0.011 * 27, abs=1e-3), pytest.approx(0, abs=1e-3))
 
 
-def test_a_robot_that_is_covered_and_seen_again_is_told_once_each(store: Store) -> None:
+def test_a_covered_robot_and_its_return_are_reported_once_each(store: Store) -> None:
     settings, published = Settings(), list[Message]()
     settings.choose(OVERHEAD, setting_of(OverheadSetup()))
     truth = OverheadTruth(store, floor_camera(settings, Camera()), published.append, lambda: "en")

@@ -70,7 +70,7 @@ def school(tmp_path: Path) -> Iterator[School]:
         yield School(store)
 
 
-def test_poses_are_kept_in_the_start_frame_at_the_tick_of_their_stamp(school: School) -> None:
+def test_poses_are_recorded_in_the_start_frame_at_the_tick_of_their_stamp(school: School) -> None:
     school.begin()
     for tick in range(1, 61):
         school.sample(tick, 0.01 * max(0, tick - 30))
@@ -93,7 +93,7 @@ def test_after_a_jump_nothing_counts_until_the_wheels_agree_again(school: School
     assert school.states() == ["localisation_jumped", "seeing", "recorded"]
 
 
-def test_silence_is_told_once_the_robot_has_moved_far_without_a_pose(school: School) -> None:
+def test_silence_is_reported_after_a_long_movement_without_a_pose(school: School) -> None:
     school.begin()
     school.sample(1, 0.0)
     school.localise(0.0)
@@ -106,7 +106,9 @@ def test_silence_is_told_once_the_robot_has_moved_far_without_a_pose(school: Sch
     assert len(school.end()) == 1
 
 
-def test_a_localisation_of_another_frame_is_told_and_nothing_is_kept(school: School) -> None:
+def test_a_localisation_of_another_frame_is_reported_and_nothing_is_recorded(
+    school: School,
+) -> None:
     school.begin()
     school.sample(1, 0.0)
     params = {"found": "odom", "wanted": "map"}
