@@ -142,7 +142,7 @@ STEPS = (
     Step("unit", "test", (*PYTEST, *WORKING, "-m", UNIT), counts=True),
     Step("package", "package", ("nice", "make", "package"), is_aside=True),
     marked_tests("waits", "test", *WAITING, only="waits", without="nightly"),
-    marked_tests("fuzz", "test", *WORKING, "--fuzz-s=30", only="fuzz"),
+    marked_tests("fuzz", "test", *WORKING, "--fuzz-s=10", only="fuzz"),
     marked_tests("e2e", "test", *WORKING, only="e2e", without="nightly"),
     marked_tests("packaged", "package", only="packaged", without="nightly"),
     Step("smoke", "package", (sys.executable, "packaging/smoke.py")),

@@ -15,7 +15,8 @@ from tests.e2e.studio import RUN_MS, Studio
 from tests.e2e.test_camera import CAMERA_MS, RECORDINGS
 from tests.e2e.test_classes import PIN, open_lesson, prepare, to_part
 
-pytestmark = [pytest.mark.e2e, pytest.mark.timeout(300)]
+# its parts are tested in each run: a sign decides, the verdict, the review of a lesson
+pytestmark = [pytest.mark.e2e, pytest.mark.nightly, pytest.mark.timeout(300)]
 
 READ = "robot.classify_gestures(timeout=30)\n"
 MOVE_IF_B = 'if robot.gesture_result == "B":\n    robot.move_forward(1.0)\n'

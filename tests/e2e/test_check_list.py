@@ -53,6 +53,7 @@ def test_the_list_fills_while_the_robot_drives(studio: Studio) -> None:
     for text in ("Chegar ao fim", "Não encostar", "Passar por padaria", "Terminar em “praça”"):
         expect_state(studio, text, "open")
     write_program(studio, f"{TWO_LEFT_TURNS}robot.wait(120)\n")
+    studio["speed"].select_option("5")
     studio.run()
     expect(studio["mission-sheet"]).to_have_count(0)
     studio["mission-fold"].click()

@@ -13,7 +13,8 @@ from tests.e2e.conftest import OpenStudio
 from tests.e2e.python_pane import write_program
 from tests.e2e.studio import Studio
 
-pytestmark = [pytest.mark.e2e, pytest.mark.timeout(400)]
+# its parts are tested in each run: lesson file, merging, a forged file, the review
+pytestmark = [pytest.mark.e2e, pytest.mark.nightly, pytest.mark.timeout(400)]
 
 PIN = "314159"
 SQUARE = "for _ in range(4):\n    robot.move_forward({side})\n    robot.turn(90)\n"
