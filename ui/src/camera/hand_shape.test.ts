@@ -30,6 +30,12 @@ describe("the drawing of a hand", () => {
     expect(names(behind).at(-1)).toBe("palm");
   });
 
+  test.each(["B", "T", "V"] as const)("ends in a wrist, not in a tip: %s", (sign) => {
+    const palm = handShape(signs[sign], "right").find(({ name }) => name === "palm");
+    const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = numbers(palm?.path ?? "");
+    expect(Math.hypot(x1 - x0, y1 - y0)).toBeGreaterThan((palm?.width ?? 0) / 2);
+  });
+
   test("of a left hand is that of a right hand mirrored", () => {
     const [right, left] = [handShape(B, "right"), handShape(B, "left")];
     const xs = (path: string) => numbers(path).filter((_, index) => index % 2 === 0);

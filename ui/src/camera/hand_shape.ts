@@ -40,6 +40,8 @@ const SEAM = 0.4;
 const THUMB_EDGE = 0.55;
 /** Cosine of the bend angle of a joint; below it the joint shows its crease. */
 const CREASE_COS = 0.3;
+/** Ends of the heel beside the wrist, relative to the distance from the first knuckle to the last. */
+const HEEL = [0.26, -0.18];
 const MARGIN = 4;
 /** The least difference of depth, which only puts parts in order. */
 const BEHIND = 1e-6;
@@ -52,7 +54,8 @@ interface Part {
 /** The parts of a hand, the farthest first. `landmarks` are of a right hand in a mirror. */
 export function handShape(landmarks: readonly Landmark[], side: HandSide): Piece[] {
   const unit = distance(at(landmarks, 0), at(landmarks, 9));
-  const { place, scale } = intoSquare(landmarks, side, unit);
+  const heel = heelOf(landmarks);
+  const { place, scale } = intoSquare([...landmarks, ...heel], side, unit);
   const flat = landmarks.map(place);
   const part = (
     name: string,
@@ -69,7 +72,7 @@ export function handShape(landmarks: readonly Landmark[], side: HandSide): Piece
       edge: null,
     },
   });
-  const palm = part("palm", PALM, PALM_WIDTH, null);
+  const palm = withHeel(part("palm", PALM, PALM_WIDTH, null), heel.map(place), flat);
   const middle = middleOf(PALM.map((joint) => at(flat, joint)));
   const fingers = FINGERS.flatMap((knuckle) => {
     const joints = [0, 1, 2, 3].map((n) => knuckle + n) as Four;
@@ -104,6 +107,19 @@ export function handShape(landmarks: readonly Landmark[], side: HandSide): Piece
   return [palm, ...fingers, ...thumb]
     .sort((one, other) => other.depth - one.depth)
     .map(({ piece }) => piece);
+}
+
+function withHeel(palm: Part, heel: readonly Flat[], flat: readonly Flat[]): Part {
+  const rim = PALM.slice(1).map((joint) => at(flat, joint));
+  return { ...palm, piece: { ...palm.piece, path: line([...heel, ...rim]) } };
+}
+
+/** The two ends of a palm's heel, as wide as a wrist: the landmarks have one point there, which would be a tip. */
+function heelOf(landmarks: readonly Landmark[]): Landmark[] {
+  const [wrist, first, last] = [at(landmarks, 0), at(landmarks, 5), at(landmarks, 17)];
+  return HEEL.map((part) =>
+    wrist.map((value, axis) => value + part * ((last[axis] ?? 0) - (first[axis] ?? 0))),
+  );
 }
 
 /**
