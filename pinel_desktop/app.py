@@ -61,18 +61,16 @@ class App:
     """The backend of the page. Call `start`, pass `address` to a window or a person, then `close`.
 
     Args:
-        database: the database file, created if it does not exist. If the file cannot be used, the app starts
-            nevertheless, and the page shows why nothing can be stored.
+        database: the database file, created if missing. If it cannot be used, the app starts, and the page shows why.
         port: port of the page; 0 for any free port.
         early_server: server that already serves the page; the app closes it.
         instance: lock on the database that the caller has acquired; the app releases it.
-        engine_after_s: delay before the engine and the modules for the first edit and run are loaded, in s. On a PC
-            with two cores, loading them at once would delay the first drawing of the page.
+        engine_after_s: how long the engine and the modules for the first edit and run wait for a page that reads the
+            events, in s. On a PC with two cores, loading them at once would delay the first drawing of the page.
         window: the app's window; None without one.
         camera: address of a camera instead of the chosen webcam, as for `camera.frames.open_reader`.
         recognizer: name of a recognizer of signs instead of the chosen one, as for `recognizers.open_recognizer`.
-        bridge: where the HTTP interface of the original PINEL is served, and which robot its calls drive; None
-            serves no such interface.
+        bridge: where the original PINEL's HTTP interface is served, and which robot its calls drive; None: nowhere.
         opened: path of the file with which a person has opened the app.
     """
 
@@ -259,15 +257,20 @@ class App:
             self._start_judging()
             return
 
-        def start() -> None:
-            self._engine.start()
-            _warm_up()
-            self._start_judging()
+        is_closing = threading.Event()
 
-        timer = threading.Timer(self._engine_after_s, start)
-        timer.start()
-        undo.callback(timer.join)
-        undo.callback(timer.cancel)
+        def start() -> None:
+            self._hub.first_reader.wait(self._engine_after_s)
+            if not is_closing.is_set():
+                self._engine.start()
+                _warm_up()
+                self._start_judging()
+
+        starter = threading.Thread(target=start, name="engine-start")
+        starter.start()
+        undo.callback(starter.join)
+        undo.callback(self._hub.first_reader.set)
+        undo.callback(is_closing.set)
 
     def _start_judging(self) -> None:
         """Judges runs that the last start left unjudged, and re-verifies runs from merged files."""

@@ -26,6 +26,7 @@ from tests.web.browser import Browser
 from tests.web.fake_engine import FakeEngine
 
 CLOSE_LIMIT_S = 2.0
+READY_S = 10.0
 
 
 @pytest.fixture
@@ -190,6 +191,34 @@ def test_a_run_that_was_cut_off_is_closed_at_the_next_start(
     start_app()
     with open_store(database) as store:
         assert store.runs.get(run.id).reason == "interrupted"
+
+
+def starts(app: App, within_s: float) -> bool:
+    """Whether the engine of the app starts within this time."""
+    assert isinstance(app._engine, FakeEngine)
+    return app._engine.started.wait(within_s)
+
+
+def test_the_engine_waits_for_the_first_page(start_app: Callable[..., App]) -> None:
+    """It would take the processor from the page that is being drawn."""
+    app = start_app(engine_after_s=60.0)
+    assert not starts(app, 0.1)
+    with Browser.signed_in(app.address).stream() as events:
+        events.next()
+        assert starts(app, READY_S)
+
+
+def test_the_engine_does_not_wait_for_ever_for_a_page(start_app: Callable[..., App]) -> None:
+    app = start_app(engine_after_s=0.01)
+    assert starts(app, READY_S)
+
+
+def test_an_app_that_closes_before_its_first_page_starts_no_engine(
+    start_app: Callable[..., App],
+) -> None:
+    app = start_app(engine_after_s=60.0)
+    app.close()
+    assert not starts(app, 0.0)
 
 
 def test_closing_in_the_middle_of_a_run_is_quick_and_keeps_it(

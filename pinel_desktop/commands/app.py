@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 Message = dict[str, Any]
 
-_ENGINE_AFTER_S = 1.0
+_ENGINE_AFTER_S = 10.0
 _CONFIRM_S = 2.0
 _log = logging.getLogger(__name__)
 

@@ -78,9 +78,14 @@ class Subscription:
 
 
 class Hub:
-    """Publishes events to subscriptions; thread-safe. `publish` never waits for a reader."""
+    """Publishes events to subscriptions; thread-safe. `publish` never waits for a reader.
+
+    Attributes:
+        first_reader: set once a page is or was open.
+    """
 
     def __init__(self, capacity: int = CAPACITY) -> None:
+        self.first_reader = threading.Event()
         self._capacity = capacity
         self._readers: tuple[Subscription, ...] = ()
         self._lock = threading.Lock()
@@ -89,6 +94,7 @@ class Hub:
     def subscribe(self) -> Subscription:
         """Returns a new subscription, which receives every event from now on."""
         reader = Subscription(self, self._capacity)
+        self.first_reader.set()
         with self._lock:
             if not self._closed:
                 self._readers += (reader,)

@@ -1,5 +1,6 @@
 """An engine controlled by the test, without a process."""
 
+import threading
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -27,6 +28,7 @@ class FakeEngine(EngineClient):
         is_watched: Callable[[], bool] = lambda: True,
     ) -> None:
         self.on_event, self.on_robot, self.on_localised = on_event, on_robot, on_localised
+        self.started = threading.Event()
         self.of_robots: list[tuple[Any, ...]] = []
         self.commands: list[Command] = []
         self.start_spec: dict[str, Any] = {}
@@ -35,6 +37,7 @@ class FakeEngine(EngineClient):
 
     def start(self) -> None:
         self.state = "ready"
+        self.started.set()
 
     def run(
         self,

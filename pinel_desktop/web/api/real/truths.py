@@ -1,6 +1,7 @@
 """Where a real robot truly was in its runs, by source of truth."""
 
 import math
+from typing import TYPE_CHECKING
 
 from flask import Response
 
@@ -23,7 +24,9 @@ from pinel_desktop.web.models.real.truths import (
 from pinel_desktop.web.responses import json_response
 from pinel_desktop.web.services import services
 from storage import SIMULATOR, RunRow, TruePoseRow, TruthRow
-from storage.runs.telemetry import Telemetry
+
+if TYPE_CHECKING:  # numpy takes a seventh of the app's start
+    from storage.runs.telemetry import Telemetry
 
 api = Resource("truths", "Where real robots truly were in their runs.", __name__)
 
@@ -85,7 +88,7 @@ def _truth(row: TruthRow, truth: KnownTruth) -> Truth:
     return Truth.of(row, poses=poses, covered_s=truth.covered_ticks / TICK_HZ)
 
 
-def _believed(telemetry: Telemetry) -> BelievedPose | None:
+def _believed(telemetry: "Telemetry") -> BelievedPose | None:
     if not len(telemetry.rows):
         return None
     x, y, heading = (float(telemetry.column(name)[-1]) for name in ("x_m", "y_m", "yaw_rad"))
