@@ -127,12 +127,13 @@ def kill_again_and_again(folder: Path, n_kills: int, seed: int) -> None:
             wrong += [line for line in reports if is_wrong(line)]
     print(f"\nseed {seed}: {n_kills} kills, {dict(counts)}, {dict(refusals)}")
     assert wrong == []
-    assert min(counts[kind] for kind in ("version", "run", "end of run", "refused", "backup")) > 10
+    kinds = ("version", "run", "end of run", "refused", "backup")
+    assert min(counts[kind] for kind in kinds) > n_kills / 10
 
 
 @pytest.mark.timeout(300)
-def test_nothing_acknowledged_is_lost_in_a_hundred_kills_at_random_moments(tmp_path: Path) -> None:
-    kill_again_and_again(tmp_path, 100, random.SystemRandom().randrange(2**32))
+def test_nothing_acknowledged_is_lost_in_fifty_kills_at_random_moments(tmp_path: Path) -> None:
+    kill_again_and_again(tmp_path, 50, random.SystemRandom().randrange(2**32))
 
 
 @pytest.mark.nightly
