@@ -1,6 +1,7 @@
 """A folder of labelled photographs, with drawn hands."""
 
 import csv
+from collections.abc import Sequence
 from pathlib import Path
 
 import cv2
@@ -12,10 +13,10 @@ SOURCES = ("p1_webcam", "p2_webcam", "p3_webcam", "g8_phone_mix")
 LETTERS = {"L": ("index",), "V": ("index", "middle"), "B": OPEN}
 
 
-def make_photos(folder: Path, n_each: int = 2) -> Path:
+def make_photos(folder: Path, n_each: int = 2, sources: Sequence[str] = SOURCES) -> Path:
     """Pictures of three letters by each source, stretched to squares, and one without a letter; returns the table."""
-    rows = [{"split": "train", "file": "no.jpg", "label": "", "letter": "", "source": SOURCES[0]}]
-    for s, source in enumerate(SOURCES):
+    rows = [{"split": "train", "file": "no.jpg", "label": "", "letter": "", "source": sources[0]}]
+    for s, source in enumerate(sources):
         for letter, stretched in LETTERS.items():
             for i in range(n_each):
                 name = f"{source}_{letter}{i}.jpg"

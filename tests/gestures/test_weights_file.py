@@ -15,7 +15,7 @@ from pinel_desktop.gestures.weights_file import LETTERS, load, save
 LIMIT = 1_650_000
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def small() -> SignClassifier:
     features = np.random.default_rng(2).normal(size=(12, N_FEATURES)).astype(np.float32)
     return SignClassifier.fit(Samples(features, ("A", "B", "C") * 4), BLOCKS)

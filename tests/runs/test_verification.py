@@ -1,5 +1,6 @@
 """Every program, run and kept and run again: the same to the bit, here, elsewhere, and beside other runs."""
 
+import itertools
 import json
 import os
 import subprocess
@@ -45,8 +46,17 @@ def verify(run_id: str, db: Path) -> tuple[int, dict[str, Any]]:
     return done.exit_code, json.loads(done.stdout)
 
 
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("preset", ["ideal", "realistic"])
+# by odometry alone a robot that slips loses the line, and searches it for the hour that a run may last
+SEARCHES_FOR_AN_HOUR = ("realistic", "follow_the_line")
+
+
+@pytest.mark.parametrize(
+    ("preset", "name"),
+    [
+        pytest.param(*one, marks=pytest.mark.nightly if one == SEARCHES_FOR_AN_HOUR else ())
+        for one in itertools.product(("ideal", "realistic"), NAMES)
+    ],
+)
 def test_every_program_comes_out_the_same(name: str, preset: str, tmp_path: Path) -> None:
     db = tmp_path / "pinel.db"
     run_id = record_run(name, db, "--seed", "7", "--preset", preset, "--feedback", "odometry")

@@ -20,6 +20,7 @@ from pinel_desktop.robot import Pose2D
 SHEET_M = 0.20  # side of the white paper around the black square
 _TEXTURE_PX = 400  # of a sheet's side
 _FINE = 2  # rendered px per px, along each axis
+_MARGIN_PX = 8  # fine px: a sheet's edges are curved between its corners
 SIZE_PX = (1280, 720)
 
 
@@ -60,7 +61,6 @@ class Scene:
 
     def __post_init__(self) -> None:
         self._chance = np.random.default_rng(self.seed)
-        self._rays: NDArray[np.float64] | None = None
         self._still: NDArray[np.float32] | None = None
 
     def picture(self, robot: Pose2D | None) -> Picture:
@@ -84,44 +84,63 @@ class Scene:
 
     def _lay(self, seen: NDArray[np.float32], number: int, pose: Pose2D, level_m: float) -> None:
         """Draws a sheet that lies at a pose on a level above the floor."""
-        rays = self._all_rays()
+        part = self._part_of_sheet(pose, level_m)
+        rays = self._rays(part)
         reach = (level_m - self.eye[2]) / rays[..., 2]
         x = self.eye[0] + reach * rays[..., 0] - pose.x_m
         y = self.eye[1] + reach * rays[..., 1] - pose.y_m
         cos, sin = math.cos(pose.yaw_rad), math.sin(pose.yaw_rad)
         right, up = cos * x + sin * y, cos * y - sin * x
+        on = (np.abs(right) < SHEET_M / 2) & (np.abs(up) < SHEET_M / 2)
+        if not on.any():
+            return
         scale = _TEXTURE_PX / SHEET_M
         column = (right * scale + _TEXTURE_PX / 2 - 0.5).astype(np.float32)
         row = (_TEXTURE_PX / 2 - up * scale - 0.5).astype(np.float32)
-        on = (np.abs(right) < SHEET_M / 2) & (np.abs(up) < SHEET_M / 2)
-        rows, columns = np.flatnonzero(on.any(axis=1)), np.flatnonzero(on.any(axis=0))
-        if not len(rows):
-            return
-        part = (slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1))
-        drawn = cv2.remap(sheet(number), column[part], row[part], cv2.INTER_LINEAR)
-        seen[part] = np.where(on[part], drawn, seen[part])
+        drawn = cv2.remap(sheet(number), column, row, cv2.INTER_LINEAR)
+        seen[part] = np.where(on, drawn, seen[part])
 
-    def _all_rays(self) -> NDArray[np.float64]:
-        """The direction in which each fine px looks, in the floor's frame."""
-        if self._rays is None:
-            width, height = SIZE_PX
-            matrix = np.array(
-                [
-                    [self.focal_px, 0, (width - 1) / 2 + self.middle_px[0]],
-                    [0, self.focal_px, (height - 1) / 2 + self.middle_px[1]],
-                    [0, 0, 1],
-                ]
-            )
-            columns = (np.arange(_FINE * width) + 0.5) / _FINE - 0.5
-            rows = (np.arange(_FINE * height) + 0.5) / _FINE - 0.5
-            px = np.stack(np.meshgrid(columns, rows), axis=-1).reshape(-1, 1, 2)
-            criteria = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 30, 1e-9)
-            flat = cv2.undistortPointsIter(
-                px, matrix, np.array(self.distortion), np.eye(3), np.eye(3), criteria
-            ).reshape(_FINE * height, _FINE * width, 2)
-            rays = np.concatenate([flat, np.ones((*flat.shape[:2], 1))], axis=-1)
-            self._rays = rays @ self._turn()
-        return self._rays
+    def _part_of_sheet(self, pose: Pose2D, level_m: float) -> tuple[slice, slice]:
+        """The fine rows and columns in which a sheet lies, with a margin."""
+        reach = SHEET_M / math.sqrt(2)  # from the middle to a corner
+        angles = pose.yaw_rad + math.pi * np.array([0.25, 0.75, 1.25, 1.75])
+        corners = np.stack(
+            [pose.x_m + reach * np.cos(angles), pose.y_m + reach * np.sin(angles), np.full(4, level_m)],
+            axis=-1,
+        )  # fmt: skip
+        from_lens = (corners - self.eye) @ self._turn().T
+        still = np.zeros(3)
+        px, _ = cv2.projectPoints(
+            from_lens, still, still, self._matrix(), np.array(self.distortion)
+        )
+        fine = (px.reshape(4, 2) + 0.5) * _FINE
+        limit = np.array(SIZE_PX) * _FINE
+        first = np.clip(np.floor(fine.min(axis=0)) - _MARGIN_PX, 0, limit).astype(int)
+        last = np.clip(np.ceil(fine.max(axis=0)) + _MARGIN_PX, 0, limit).astype(int)
+        return slice(first[1], last[1]), slice(first[0], last[0])
+
+    def _matrix(self) -> NDArray[np.float64]:
+        width, height = SIZE_PX
+        return np.array(
+            [
+                [self.focal_px, 0, (width - 1) / 2 + self.middle_px[0]],
+                [0, self.focal_px, (height - 1) / 2 + self.middle_px[1]],
+                [0, 0, 1],
+            ]
+        )
+
+    def _rays(self, part: tuple[slice, slice]) -> NDArray[np.float64]:
+        """The direction in which each fine px of a part looks, in the floor's frame."""
+        rows, columns = ((np.arange(one.start, one.stop) + 0.5) / _FINE - 0.5 for one in part)
+        px = np.stack(np.meshgrid(columns, rows), axis=-1).reshape(-1, 1, 2)
+        if not len(px):
+            return np.ones((len(rows), len(columns), 3))
+        criteria = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 30, 1e-9)
+        flat = cv2.undistortPointsIter(
+            px, self._matrix(), np.array(self.distortion), np.eye(3), np.eye(3), criteria
+        ).reshape(len(rows), len(columns), 2)
+        rays = np.concatenate([flat, np.ones((*flat.shape[:2], 1))], axis=-1)
+        return np.asarray(rays @ self._turn())
 
     def _turn(self) -> NDArray[np.float64]:
         """From the floor's frame to the camera's, which looks down; its picture has x to the right, y down."""
