@@ -1,8 +1,8 @@
 """Start and memory of the package beside a bare pywebview window (of the source folder: bench_startup, bench_memory).
 
 The program is dist/pinel-desktop/pinel, or the one that PINEL_PACKAGE names, such as an installed /usr/bin/pinel.
-It has nothing that helps to measure. So a start is over when the screen shows the block, and ours the Run button, in their
-colours. It is opened as the watchdog of kiosk mode does, because that names a program. Captures are those of its
+It has nothing that helps to measure. So a start is over when the screen shows the block, and ours the Run button, in
+their colours. It is opened as the watchdog of kiosk mode does, because that names a program. Captures are those of its
 self-check.
 """
 
