@@ -28,7 +28,7 @@ def pc(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[KioskPc]:
 
 
 def test_a_group_is_told_and_takes_all_its_work_along(studio: Studio, pc: KioskPc) -> None:
-    expect(studio["notice"]).to_contain_text("Este computador não lembra")
+    expect(studio["notice"]).to_contain_text("Este computador esquece tudo")
     expect(studio["group-file"]).to_have_count(0)  # nobody's work is open
     studio.enter_new_group("Os Tatus")
     studio.build_square()
