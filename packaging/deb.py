@@ -14,7 +14,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-import freeze  # beside this file
+import checksums  # beside this file, as the next two
+import freeze
 import systems
 
 from pinel_desktop import __version__
@@ -169,6 +170,7 @@ def main() -> None:
         lay_out(root)
         write_control(root)
         build(root, deb_path())
+    checksums.update_dist()
     print(f"{deb_path().relative_to(ROOT)}: {deb_path().stat().st_size / 1e6:.0f} MB")
 
 

@@ -14,7 +14,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-import contents  # beside this file
+import checksums  # beside this file, as the next three
+import contents
 import freeze
 import icon
 
@@ -94,6 +95,7 @@ def main() -> None:
         build(target, package)
     except InstallerError as reason:
         sys.exit(f"No installer: {reason}.")
+    checksums.update_dist()
     print(f"{target.relative_to(ROOT)}: {target.stat().st_size / 1e6:.0f} MB")
 
 

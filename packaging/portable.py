@@ -13,7 +13,8 @@ import sys
 import tarfile
 from pathlib import Path
 
-import freeze  # beside this file
+import checksums  # beside this file, as the next one
+import freeze
 
 from pinel_desktop import __version__
 from pinel_desktop.paths import PORTABLE_DATA
@@ -63,6 +64,7 @@ def main() -> None:
     if not freeze.PROGRAM.is_file():
         sys.exit("There is no package: run `make package` first.")
     write_archive(portable_path())
+    checksums.update_dist()
     size = portable_path().stat().st_size
     print(f"{portable_path().relative_to(ROOT)}: {size / 1e6:.0f} MB")
 

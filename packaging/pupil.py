@@ -42,10 +42,14 @@ class Pupil:
             os.seteuid(0)
 
     def click(self, name: str) -> None:
-        """Clicks on the middle of the first element whose accessible name contains `name`, once it is there."""
-        x, y, width, height = self.find(name)
-        place = (str(x + width // 2), str(y + height // 2))
-        self._xdotool("mousemove", *place, "click", "1")
+        """Clicks on the middle of the first element whose accessible name contains `name`, once it is there to stay."""
+        before, place = None, self.find(name)
+        while place != before:  # on a busy PC, another element may still push it aside
+            time.sleep(_PERIOD_S)
+            before, place = place, self.find(name)
+        x, y, width, height = place
+        middle = (str(x + width // 2), str(y + height // 2))
+        self._xdotool("mousemove", *middle, "click", "1")
 
     def write(self, text: str) -> None:
         """Types a text."""

@@ -7,13 +7,13 @@ built, and for each system a folder of the packages that a minimal installation 
 SHA256SUMS lists all files.
 """
 
-import hashlib
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
-import deb  # beside this file, as the next three
+import checksums  # beside this file, as the next four
+import deb
 import nsis
 import portable
 import systems
@@ -63,15 +63,8 @@ def write_index(folder: Path) -> None:
 
 
 def write_checksums(folder: Path = FOLDER) -> None:
-    """Writes SHA256SUMS, in the form of sha256sum."""
-    files = sorted(file for file in folder.rglob("*") if file.is_file())
-    lines = [f"{_checksum(file)}  {file.relative_to(folder)}\n" for file in files]
-    (folder / "SHA256SUMS").write_text("".join(lines), "utf-8")
-
-
-def _checksum(path: Path) -> str:
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
+    """Writes SHA256SUMS of all files."""
+    checksums.write_checksums(folder, (file for file in folder.rglob("*") if file.is_file()))
 
 
 def main() -> None:

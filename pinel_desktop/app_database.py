@@ -2,9 +2,11 @@
 
 from pathlib import Path
 
-from pinel_desktop.database_locations import is_location_missing, record_location
+from pinel_desktop.database_locations import is_location_missing, is_temporary, record_location
 from pinel_desktop.paths import is_in_default_folder
-from storage import Store, StoreError, open_store
+from pinel_desktop.settings import RESETS, Settings
+from storage import Notice, Store, StoreError, open_store
+from storage.file.filesystems import is_in_memory
 from storage.file.private import restrict_permissions
 
 # Notices that do not prevent writing: the file is usable, or a remedy was applied.
@@ -21,6 +23,7 @@ WRITABLE_NOTICES = (
     "database_earlier",
     "database_earlier_backup",
     "database_on_share",
+    "database_not_lasting",
     "backup_no_room",
     "backup_failed",
     "backup_share_failed",
@@ -38,6 +41,15 @@ def open_database(database: Path) -> Store:
         store = open_store(database, close_interrupted=True)
         restrict_permissions(database, is_own_folder=is_in_default_folder(database))
         record_location(database)
+        if store.notice is None and not _is_lasting(database):
+            store.notice = Notice("database_not_lasting", {"folder": str(database.parent)})
         return store
     except StoreError as error:
         return Store.without_file(database, error)
+
+
+def _is_lasting(database: Path) -> bool:
+    """Returns False for a database that is lost when the PC ends. Who chose a temporary folder knows that."""
+    if is_in_default_folder(database):
+        return not (Settings.beside(database)[RESETS] or is_in_memory(database.parent))
+    return is_temporary(database) or not is_in_memory(database.parent)

@@ -17,15 +17,12 @@ _MAX_LOCATIONS = 20
 
 def record_location(database: Path) -> None:
     """Records the location of a database as the newest; drops the oldest of more than `_MAX_LOCATIONS`."""
-    import tempfile  # noqa: PLC0415 - a second start, which only reads the list, must be fast
-
     known = _known()
-    is_temporary = database.is_relative_to(os.path.realpath(tempfile.gettempdir()))
     is_portable = (
         database.parent == portable_folder()
     )  # it is missing only together with the program
     if (
-        is_temporary
+        is_temporary(database)
         or is_portable
         or is_in_default_folder(database)
         or known[-1:] == [str(database)]
@@ -33,6 +30,13 @@ def record_location(database: Path) -> None:
         return
     others = [place for place in known if place != str(database)]
     _write([*others[1 - _MAX_LOCATIONS :], str(database)])
+
+
+def is_temporary(database: Path) -> bool:
+    """Returns whether the file is in the folder for temporary files."""
+    import tempfile  # noqa: PLC0415 - a second start, which only reads the list, must be fast
+
+    return database.is_relative_to(os.path.realpath(tempfile.gettempdir()))
 
 
 def forget_location(database: Path) -> None:

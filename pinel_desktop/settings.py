@@ -19,7 +19,7 @@ from pinel_desktop.paths import read_regular
 
 LANGUAGE, CAMERA, THEME = "pinel_language", "pinel_camera", "pinel_theme"
 KIOSK, RECOGNIZER = "pinel_kiosk", "pinel_recognizer"
-OVERHEAD = "pinel_overhead"
+OVERHEAD, RESETS = "pinel_overhead", "pinel_resets"
 TEXT, MAX_TEXT = "^[A-Za-z0-9_-]*$", 4000
 
 
@@ -63,6 +63,7 @@ SETTINGS: Mapping[str, Setting] = {
     OVERHEAD: Setting(
         "camera above the floor, as `pinel overhead` writes it; none without one", of_page=False
     ),
+    RESETS: Setting('"1" on a PC whose disk is as before after each start', ("1",), of_page=False),
     "pinel_class": Setting("the class last chosen"),
     "pinel_levels": Setting("level of the blocks that each group chose"),
     "pinel_mission_levels": Setting("level of the blocks chosen for each mission"),

@@ -45,6 +45,7 @@ def test_what_nobody_chose_has_its_default() -> None:
         "pinel_kiosk",
         "pinel_overhead",
         "pinel_recognizer",
+        "pinel_resets",
     }
 
 

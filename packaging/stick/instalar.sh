@@ -73,8 +73,9 @@ apt() {
 # Prints how many kB the new files take: what apt says, or in an update the new program beside the old one.
 needed() {
     program=$(sed -n '/^Package: pinel-desktop$/,/^$/s/^Installed-Size: //p' "$folder/Packages")
+    # --assume-no would not do: where nothing else changes, apt-get updates a package that was named without a question
     # shellcheck disable=SC2086 # one argument for each package
-    (export LC_ALL=C && apt --assume-no --fix-broken install $packages || true) | awk -v program="${program:-0}" '
+    (export LC_ALL=C && apt -y --print-uris --fix-broken install $packages || true) | awk -v program="${program:-0}" '
         BEGIN { size["kB"] = 1; size["MB"] = 1000; size["GB"] = 1000000 }
         /^After this operation/ {
             gsub(",", "", $4)

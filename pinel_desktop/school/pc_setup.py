@@ -18,7 +18,7 @@ from pinel_desktop.paths import read_regular
 from pinel_desktop.robot.robot_profile import PROFILES, profile_from
 from pinel_desktop.school.robot_profiles import RobotProfiles, require_room
 from pinel_desktop.school.teacher import TeacherSessions, stored_pin
-from pinel_desktop.settings import CAMERA, KIOSK, LANGUAGE, SETTINGS, THEME, Settings
+from pinel_desktop.settings import CAMERA, KIOSK, LANGUAGE, RESETS, SETTINGS, THEME, Settings
 from storage import Store, StoreError
 from storage.exchange.backup_share import COPIES_BACKUPS, SHARED_FOLDER
 from storage.exchange.lesson_merging import check_lesson_file
@@ -52,6 +52,7 @@ class PcSetup:
         pin: the stored form of the teacher's PIN.
         kiosk: whether the window opens in kiosk mode.
         at_login: whether the window opens at each login.
+        resets: whether the PC's disk is as before after each start.
         robots: fields of the profiles of real robots, by link.
     """
 
@@ -66,6 +67,7 @@ class PcSetup:
     pin: Mapping[str, Any] | None = None
     kiosk: bool | None = None
     at_login: bool | None = None
+    resets: bool | None = None
     robots: dict[str, dict[str, Any]] = field(default_factory=dict)
 
 
@@ -113,6 +115,7 @@ class _Reader:
             pin=self._pin(),
             kiosk=self._boolean("kiosk"),
             at_login=self._boolean("at_login"),
+            resets=self._boolean("resets_at_reboot"),
             robots=dict(self._robots()),
         )
         self._check_together(setup)
@@ -250,8 +253,9 @@ def apply(setup: PcSetup, store: Store, settings: Settings) -> None:
         store.settings.set(COPIES_BACKUPS, setup.takes_backups)
     if setup.pin is not None:
         TeacherSessions(store.settings).set_stored_pin(setup.pin)
-    if setup.kiosk is not None:
-        settings.choose(KIOSK, "1" if setup.kiosk else "")
+    for name, is_chosen in ((KIOSK, setup.kiosk), (RESETS, setup.resets)):
+        if is_chosen is not None:
+            settings.choose(name, "1" if is_chosen else "")
     chosen = {"pinel_class": classroom_id} if classroom_id else {}
     for name, value in {**setup.settings, **chosen}.items():
         settings.choose(name, value)

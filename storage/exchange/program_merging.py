@@ -1,7 +1,7 @@
-"""Merges the one program that a group exported to take it along. This needs no PIN, so it only adds rows.
+"""Merges what a group took along: one program, or all of the group. This needs no PIN, so it only adds rows.
 
-Anybody may have changed the file. So no row of the store changes. The merge only adds the program, its versions with
-their labels, its runs, and the rows that it belongs to: its group, class, lessons and PCs. Notes are left
+Anybody may have changed the file. So no row of the store changes. The merge only adds the programs, their versions with
+their labels, their runs, and the rows that they belong to: the group, its class, lessons and PCs. Notes are left
 out, because they are the teacher's. A pass of these runs does not count until this PC has repeated the run
 (`confirmation_tracking.py`).
 """
@@ -27,7 +27,7 @@ from storage.tables.runs import EVENTS, RUNS, TELEMETRY, TRUTHS
 from storage.tables.work import CLASSROOMS, GROUPS, LABELS, LESSONS, PROGRAMS, VERSIONS
 
 _PROGRAM = "(SELECT id FROM bundle.programs)"
-# if the store has the program already, it stays in its group of the store
+# programs that the store has already stay in their group of the store
 _GROUP = f"""coalesce((SELECT group_id FROM main.programs WHERE id IN {_PROGRAM}),
     (SELECT group_id FROM bundle.programs))"""
 _VERSIONS = f"(SELECT id FROM main.versions WHERE program_id IN {_PROGRAM})"
@@ -35,7 +35,7 @@ _WORK = f"""SELECT {{column}} FROM bundle.versions WHERE program_id IN {_PROGRAM
     UNION SELECT {{column}} FROM bundle.runs WHERE program_id IN {_PROGRAM}"""
 _WORKED_IN = _WORK.format(column="lesson_id")
 _LESSONS = f"({_WORKED_IN} UNION SELECT part_of FROM bundle.lessons WHERE id IN ({_WORKED_IN}))"
-# rows of the bundle that belong to the program, parents before children
+# rows of the bundle that belong to the programs, parents before children
 _OF_PROGRAM: tuple[tuple[ReplicatedTable, str], ...] = (
     (
         COMPUTERS,
@@ -58,15 +58,15 @@ _RUNS = f"""theirs.program_id IN {_PROGRAM} AND theirs.group_id = {_GROUP}
 
 
 def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
-    """Adds the new rows of a bundle of one program; returns the report and the program's key.
+    """Adds the new rows of a bundle with programs of one group; returns the report and the newest program's key.
 
     Raises:
-        StoreError: `bundle_not_program` if it does not hold exactly one program, or holds deletions; else as
+        StoreError: `bundle_not_program` if it has no program, programs of several groups, or deletions; else as
             `merging.merge`.
     """
     with open_bundle(path, max_samples=MAX_SAMPLES_WITHOUT_PIN) as bundle:
         with closing(connect(bundle.address)) as db:
-            programs = [str(row["id"]) for row in db.execute("SELECT id FROM programs LIMIT 2")]
+            programs = db.execute("SELECT max(id) AS id FROM programs GROUP BY group_id").fetchall()
             deletes = db.execute("SELECT 1 FROM tombstones LIMIT 1").fetchone()
         if len(programs) != 1 or deletes:
             raise StoreError("bundle_not_program", path=str(path))
@@ -77,7 +77,7 @@ def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
             return replace(report, n_unconfirmed=n_unconfirmed(db))
 
         report = database.write(write, attached=bundle.address)
-    return report, programs[0]
+    return report, str(programs[0]["id"])
 
 
 def _merge(db: sqlite3.Connection, info: BundleInfo) -> MergeReport:

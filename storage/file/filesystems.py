@@ -1,4 +1,4 @@
-"""File systems: free space, and whether a folder is on a network share."""
+"""File systems: free space, and whether a folder is on a network share, or in memory that ends with the PC."""
 
 import re
 import shutil
@@ -30,6 +30,9 @@ _SHARED = frozenset(
         "smbfs",
     ]
 )
+_IN_MEMORY = frozenset(["ramfs", "rootfs", "tmpfs"])
+# show one file system through another, which takes the changes
+_LAYERED = frozenset(["aufs", "overlay"])
 _REMOTE_DRIVE = 4
 
 
@@ -48,22 +51,38 @@ def is_on_share(folder: Path) -> bool:
 
         drive = folder.absolute().anchor
         return bool(ctypes.windll.kernel32.GetDriveTypeW(drive) == _REMOTE_DRIVE)
+    return _mount_of(folder)[0] in _SHARED
+
+
+def is_in_memory(folder: Path) -> bool:
+    """Returns True for a folder that is empty, or as it was, when the PC starts again; False also if unknown.
+
+    So on systems from a read-only image: live systems, and PCs that overlayroot and the like reset at each start.
+    """
+    kind, options = _mount_of(folder)
+    upper = re.search(r"(?:^|,)upperdir=([^,]+)", options)
+    if kind in _LAYERED and upper:
+        kind, _ = _mount_of(Path(_plain(upper[1])))
+    return kind in _IN_MEMORY or kind in _LAYERED
+
+
+def _mount_of(folder: Path) -> tuple[str, str]:
+    """Returns file system and options of a folder, on Linux; empty texts if unknown."""
     try:
-        mounts = _MOUNTS.read_text("utf-8", "surrogateescape")
-        kind = kind_of_file_system(folder.resolve(), mounts)
+        return mount_of(folder.resolve(), _MOUNTS.read_text("utf-8", "surrogateescape"))
     except OSError:
-        return False
-    return kind in _SHARED
+        return "", ""
 
 
-def kind_of_file_system(folder: Path, mounts: str) -> str:
-    """Returns the file system of a folder by Linux's list of mounts (proc(5), mountinfo)."""
-    found, max_length = "", -1
+def mount_of(folder: Path, mounts: str) -> tuple[str, str]:
+    """Returns file system and options of a folder by Linux's list of mounts (proc(5), mountinfo)."""
+    found, max_length = ("", ""), -1
     for line in mounts.splitlines():
         before, _, after = line.partition(" - ")
         place = _plain(before.split(" ")[4])
         if len(place) >= max_length and folder.is_relative_to(place):
-            found, max_length = after.split(" ")[0], len(place)
+            kind, *_, options = after.split(" ")
+            found, max_length = (kind, options), len(place)
     return found
 
 

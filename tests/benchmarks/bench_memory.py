@@ -13,7 +13,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -48,15 +48,19 @@ class RunningWindow:
         self.address = process.stdout.readline().strip() if has_address else ""
 
     def memory_mb(self) -> dict[str, float]:
-        """Returns the PSS of each process by its name, in MB."""
-        sizes: dict[str, float] = {}
-        for process in [self._root, *self._root.children(recursive=True)]:
-            try:
-                name, size = _name(process), process.memory_full_info().pss / 2**20
-            except psutil.Error:  # it has just ended
-                continue
-            sizes[name] = sizes.get(name, 0.0) + size
-        return sizes
+        return memory_mb(self._root)
+
+
+def memory_mb(root: psutil.Process) -> dict[str, float]:
+    """Returns the PSS of a process and those below it by their names, in MB."""
+    sizes: dict[str, float] = {}
+    for process in [root, *root.children(recursive=True)]:
+        try:
+            name, size = _name(process), process.memory_full_info().pss / 2**20
+        except psutil.Error:  # it has just ended
+            continue
+        sizes[name] = sizes.get(name, 0.0) + size
+    return sizes
 
 
 def _name(process: psutil.Process) -> str:
@@ -87,11 +91,13 @@ def opened(
             process.kill()
 
 
-def peak_mb(window: RunningWindow, stop: threading.Event) -> dict[str, float]:
-    """Samples until `stop`; returns the sample with the largest sum."""
+def peak_mb(
+    measure: Callable[[], dict[str, float]], is_over: Callable[[float], bool]
+) -> dict[str, float]:
+    """Samples until `is_over`, which waits for some seconds; returns the sample with the largest sum."""
     peak: dict[str, float] = {}
-    while not stop.wait(PERIOD_S):
-        now = window.memory_mb()
+    while not is_over(PERIOD_S):
+        now = measure()
         if sum(now.values()) > sum(peak.values()):
             peak = now
     return peak
@@ -109,7 +115,7 @@ def in_a_capture(window: RunningWindow, program: str) -> dict[str, float]:
 
     worker = threading.Thread(target=work)
     worker.start()
-    peak = peak_mb(window, over)
+    peak = peak_mb(window.memory_mb, over.wait)
     worker.join()
     assert signs == ["B", "A"]
     return peak

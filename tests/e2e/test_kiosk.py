@@ -80,7 +80,7 @@ def test_a_program_goes_to_a_drive_and_comes_back(studio: Studio, pc: KioskPc) -
     assert [file.name for file in pc.drive.iterdir()] == ["programa-1.pinel"]
 
     studio.page.evaluate("location.hash = ''")
-    studio.page.get_by_role("button", name="Trazer um programa de outro computador").click()
+    studio.page.get_by_role("button", name="Trazer programas de outro computador").click()
     expect(studio["drive-file"]).to_have_count(1)
     assert violations(studio, "drives") == []
     studio["drive-file"].click()

@@ -11,7 +11,7 @@ from pinel_desktop.errors import PinelError
 from pinel_desktop.school.pc_setup import PcSetupError, read_pc_setup
 from pinel_desktop.school.robot_profiles import RobotProfiles
 from pinel_desktop.school.teacher import TeacherSessions, pin_hash, stored_pin
-from pinel_desktop.settings import CAMERA, LANGUAGE, Settings
+from pinel_desktop.settings import CAMERA, LANGUAGE, RESETS, Settings
 from storage import Store, open_store
 from storage.exchange.backup_share import COPIES_BACKUPS, SHARED_FOLDER
 from storage.exchange.scope import Scope
@@ -31,6 +31,7 @@ shared_folder = "/media/escola"
 copies_of_backups = true
 pin_hash = "{pin_hash}"
 kiosk = true
+resets_at_reboot = true
 
 [robot.dds]
 domain = 5
@@ -69,6 +70,7 @@ def test_everything_that_the_file_names_is_set(tmp_path: Path) -> None:
     settings = Settings.beside(database)
     assert (settings[LANGUAGE], settings[CAMERA]) == ("fr", "1")
     assert settings.opens_kiosk
+    assert settings[RESETS] == "1"
     with open_store(database) as store:
         (classroom,) = store.classrooms.all()
         assert classroom.name == "9º A"

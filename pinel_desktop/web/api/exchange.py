@@ -1,4 +1,4 @@
-"""Transfer of work between PCs: removable drives, shared folders, and one program as a file."""
+"""Transfer of work between PCs: removable drives, shared folders, and a program or a group as a file."""
 
 import re
 from collections.abc import Iterator
@@ -50,6 +50,7 @@ if TYPE_CHECKING:  # imported when a file is read or written, not at the app's s
     from storage.exchange.bundle_writing import BundleInfo
     from storage.exchange.deleting.unresolved import UnresolvedDeletion
     from storage.exchange.merge_report import MergeReport
+    from storage.exchange.scope import Scope
 
 api = Resource("exchange", "Transfer of work between PCs.", __name__)
 
@@ -149,17 +150,29 @@ def get_program_file(path: IdPath) -> Response:
 
     If work had to be left out, the header `Pinel-Left-Out` is a `Notice` about it, in ASCII.
     """
+    from storage.exchange.scope import Scope  # noqa: PLC0415 - see above
+
+    return _work_file(services().store.programs.get(path.id).name, Scope(program_id=path.id))
+
+
+@api.get("/groups/<id>/file", responses=responses(OCTETS, "group_not_found", *WRITES))
+def get_group_file(path: IdPath) -> Response:
+    """All work of a group as a file, to continue on another PC; `Pinel-Left-Out` as for a program."""
+    from storage.exchange.scope import Scope  # noqa: PLC0415 - see above
+
+    return _work_file(services().store.groups.get(path.id).name, Scope(group_id=path.id))
+
+
+def _work_file(name: str, scope: "Scope") -> Response:
     from storage.exchange.bundle_writing import SUFFIX  # noqa: PLC0415 - see above
-    from storage.exchange.scope import Scope  # noqa: PLC0415
 
     parts = services()
-    name = file_name(parts.store.programs.get(path.id).name)
     with temporary_folder() as folder:
         info = parts.store.exchange.export(
-            folder / f"{name}{SUFFIX}",
+            folder / f"{file_name(name)}{SUFFIX}",
             app_version=parts.app_version,
             computer=parts.store.computers.this(),
-            scope=Scope(program_id=path.id),
+            scope=scope,
             is_recorded=False,
         )
         octets = info.path.read_bytes()
@@ -182,7 +195,7 @@ class UploadedFile(Request):
     ),
 )
 def read_program_file(query: NameOfFile, raw: UploadedFile) -> Response:
-    """Imports a file from `GET /programs/{id}/file` of another PC. The body is the file."""
+    """Imports a program's or a group's file of another PC; returns its newest program. The body is the file."""
     with uploaded(raw, query.name) as path:
         report, program_id = services().store.exchange.merge_program(path)
     services().signs.refresh()

@@ -1,4 +1,4 @@
-"""Files in places where SQLite's WAL does not work: network shares, disks that share no memory."""
+"""Files in places where SQLite's WAL does not work: network shares, disks that share no memory. Folders in memory."""
 
 from collections.abc import Callable
 from datetime import UTC, datetime
@@ -9,7 +9,7 @@ import pytest
 from storage import Store, StoreError
 from storage.file import filesystems, opening
 from storage.file.backups import list_backups, make_backup
-from storage.file.filesystems import kind_of_file_system
+from storage.file.filesystems import is_in_memory, mount_of
 from storage.sql import address
 from storage.sqlite import sqlite3
 
@@ -34,7 +34,41 @@ MOUNTS = """\
     ],
 )
 def test_the_kind_of_a_file_system_is_that_of_the_nearest_mount(folder: str, kind: str) -> None:
-    assert kind_of_file_system(Path(folder), MOUNTS) == kind
+    assert mount_of(Path(folder), MOUNTS)[0] == kind
+
+
+# overlayroot, a live system (its layers are out of sight), a layer on the disk, a home in memory as of a guest
+RESETTING = """\
+22 1 0:22 / / rw,relatime - overlay overlay rw,lowerdir=/run/ro,upperdir=/run/rw/up\\0401,workdir=/run/rw/work
+23 22 0:23 / /run/rw rw - tmpfs tmpfs-root rw,size=9k
+24 22 0:24 / /cow/seen rw - overlay /cow rw,lowerdir=/a,upperdir=/gone/upper,workdir=/gone/work
+25 22 254:0 / /disk rw - ext4 /dev/vda rw
+26 22 0:26 / /kept rw - overlay overlay rw,lowerdir=/a,upperdir=/disk/upper,workdir=/disk/work
+27 22 0:27 / /home/guest rw - tmpfs none rw
+28 22 0:28 / /old rw - aufs none rw,si=4f
+"""
+
+
+@pytest.mark.parametrize(
+    ("folder", "expected"),
+    [
+        ("/home/ana/.local/share/pinel", True),
+        ("/cow/seen", True),
+        ("/home/guest/pinel", True),
+        ("/old", True),
+        ("/disk/pinel", False),
+        ("/kept", False),
+    ],
+)
+def test_a_folder_that_is_as_before_at_the_next_start_is_known(
+    folder: str, expected: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mounts = tmp_path / "mountinfo"
+    mounts.write_text(RESETTING, "utf-8")
+    monkeypatch.setattr(filesystems, "_MOUNTS", mounts)
+    assert is_in_memory(Path(folder)) is expected
+    mounts.unlink()
+    assert not is_in_memory(Path(folder))
 
 
 def test_a_folder_of_this_pc_is_no_share_and_the_file_uses_its_wal(

@@ -57,7 +57,7 @@ export const file = (answer: Promise<string>) => answer as Promise<unknown> as P
 
 /** A file together with the headers of its response. */
 export const fileAnswer = async (
-  path: "/api/programs/{id}/file",
+  path: "/api/programs/{id}/file" | "/api/groups/{id}/file",
   init: ReturnType<typeof asFile>,
 ) => {
   const { data, response } = await http.GET(path, init);

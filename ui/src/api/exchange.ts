@@ -26,11 +26,11 @@ export const exchange = {
   deleteClassroom: (id: string) => del("/api/classrooms/{id}", of(id)),
 
   /** The file, and the server's notice about missing parts; null if the program is complete. */
-  programFile: async (program: string) => {
-    const { data, response } = await fileAnswer("/api/programs/{id}/file", asFile(program));
-    const header = response.headers.get("Pinel-Left-Out");
-    return { octets: data, leftOut: header ? (JSON.parse(header) as Notice) : null };
-  },
+  programFile: async (program: string) =>
+    workFile(await fileAnswer("/api/programs/{id}/file", asFile(program))),
+  /** The same of all work of a group. */
+  groupFile: async (group: string) =>
+    workFile(await fileAnswer("/api/groups/{id}/file", asFile(group))),
   /** An error names the file by its name in the folder where the user chose it. */
   bringProgram: (bundle: File) =>
     post("/api/programs/file", {
@@ -40,3 +40,8 @@ export const exchange = {
       bodySerializer: (octets) => octets,
     }),
 };
+
+function workFile({ data, response }: { data: Blob; response: Response }) {
+  const header = response.headers.get("Pinel-Left-Out");
+  return { octets: data, leftOut: header ? (JSON.parse(header) as Notice) : null };
+}

@@ -9,8 +9,9 @@ import { ProblemText } from "../kit/requests/ProblemText";
 import { type Problem, problemOf } from "../kit/requests/problem";
 import { ToStart } from "../kit/ToStart";
 import { fileName, saveFile } from "../shell/files/save_file";
-import { connection, notice, problem, showNotice } from "../shell/session";
+import { connection, group, notice, problem, showNotice } from "../shell/session";
 import { type OpenProgram, programOnScreen } from "../studio/program/open_program";
+import { ExportGroup } from "../work/ProgramFile";
 
 /** Notices and errors as lines under the header, never as dialogs. */
 export function Messages() {
@@ -27,6 +28,9 @@ export function Messages() {
             <Button testId="begin-empty" onPress={beginEmpty}>
               {trouble.beginEmpty}
             </Button>
+          )}
+          {notice.value.code === "database_not_lasting" && group.value && (
+            <ExportGroup group={group.value} />
           )}
         </MessageLine>
       )}

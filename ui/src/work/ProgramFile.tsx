@@ -1,7 +1,7 @@
 import { Download, Upload } from "lucide-preact";
 import { NO_CLASS } from "../api/classes";
 import { exchange } from "../api/exchange";
-import type { Program } from "../api/model";
+import type { Group, Program } from "../api/model";
 import { texts } from "../i18n";
 import { labelled } from "../i18n/phrases";
 import { Button } from "../kit/Button";
@@ -35,7 +35,21 @@ export function ExportProgram({ program }: { program: Program }) {
   );
 }
 
-/** Imports a program with its group from a file, and opens it. */
+/** Exports all work of a group as a file, for a PC that does not keep it. */
+export function ExportGroup({ group }: { group: Group }) {
+  const exportFile = async () => {
+    const { octets, leftOut } = await exchange.groupFile(group.id);
+    saveFile(`${fileName(group.name, "grupo")}${SUFFIX}`, octets);
+    problem.value = leftOut;
+  };
+  return (
+    <Button icon={Download} testId="group-file" onPress={exportFile}>
+      {texts.value.programFile.takeGroup}
+    </Button>
+  );
+}
+
+/** Imports programs with their group from a file, and opens the newest. */
 export function ImportProgram() {
   const { programFile } = texts.value;
   const importFile = async (file: File) => {
