@@ -72,6 +72,7 @@ interface RunChoiceProps {
 function RunChoice({ run, isChosen, onChoose }: RunChoiceProps) {
   const { calibration: labels, work } = texts.value;
   const facts = [
+    run.group_name,
     robotLabel(run.link),
     dateAndTime(run.started_at, language.value),
     run.duration_s !== null && duration(run.duration_s, language.value),
