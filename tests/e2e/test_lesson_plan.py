@@ -85,6 +85,8 @@ def test_cards_are_real_blocks_with_blanks_and_fit_on_paper(teacher: Teacher) ->
     turn = teacher.page.locator("[data-testid=card][data-name='turn RIGHT']").first
     expect(turn).to_contain_text("direita")
     expect(turn).not_to_contain_text("90")
+    branch = teacher.page.locator("[data-testid=card][data-name=if]").first
+    expect(branch.locator("image:visible")).to_have_count(1)  # its icon, and no plus to press
     teacher["cards-copies"].select_option("1")
     teacher["cards-list"].select_option("letters")
     expect(cards).to_have_count(6)

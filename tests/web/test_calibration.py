@@ -52,6 +52,15 @@ def test_three_real_runs_become_a_robot_of_the_simulator(app: App, teacher: Brow
     assert row.report["runs"] == runs
 
 
+def test_real_runs_name_their_group(
+    app: App, teacher: Browser, group: dict[str, Any], version: dict[str, Any]
+) -> None:
+    real_run(app._store, "robot.move_forward(1)\n", version_id=version["id"])
+    real_run(app._store, "robot.move_forward(1)\n")
+    listed = teacher.get("/api/real-runs").data["runs"]
+    assert [one["group_name"] for one in listed] == [None, group["name"]]
+
+
 def test_a_run_holds_the_robot_in_full_and_never_changes(
     app: App, browser: Browser, teacher: Browser, version: Any, robot: str
 ) -> None:

@@ -178,6 +178,7 @@ class RealRun(ResponseModel):
 
     id: Id
     program_name: str | None
+    group_name: str | None
     link: str
     started_at: Time
     duration_s: float | None

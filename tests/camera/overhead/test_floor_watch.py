@@ -178,4 +178,4 @@ def test_the_sheets_have_each_marker_at_its_size() -> None:
     page = sheets_page("pt-BR")
     assert page.count("<section>") == 5
     assert 'width="160mm"' in page
-    assert "Marcador do robô" in page
+    assert "Marcador 5, do robô" in page

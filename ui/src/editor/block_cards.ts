@@ -2,6 +2,7 @@ import * as Blockly from "blockly/core";
 import { registerBlocks } from "../blocks";
 import type { Level } from "../blocks/definition";
 import type { BlockType } from "../blocks/definitions";
+import { ButtonField } from "../blocks/fields/button_field";
 import { flyoutBlock, offeredRows } from "../blocks/toolbox/toolbox";
 import type { Language } from "../i18n";
 import { type BlockDrawing, drawn, onStage, stageClassesOf } from "./block_drawings";
@@ -93,7 +94,7 @@ function valuesOf(menu: Blockly.FieldDropdown): string[] {
 /** Hides the values of a block and widens their fields, so that pupils can write there. */
 function makeBlank(block: Blockly.Block, but: Blockly.Field | null): void {
   for (const field of block.getFields()) {
-    if (field instanceof Blockly.FieldImage && field.isClickable()) field.setVisible(false);
+    if (field instanceof ButtonField) field.setVisible(false);
     if (!field.EDITABLE || field === but) continue;
     Object.assign(field, { getDisplayText_: () => BLANK });
     field.getSvgRoot()?.classList.add("cardBlank");

@@ -29,3 +29,14 @@ export function ghostOf({ prediction, world, robot, stretches, tick }: Beside): 
     pose: () => pose,
   };
 }
+
+/** Adds the path that a camera or the robot's localisation saw, which is also shown without a ghost. */
+export function withMeasured(
+  ghost: Companion | null,
+  measured: Companion["measured"],
+  world: World | null,
+): Companion | null {
+  if (!measured) return ghost;
+  if (ghost) return { ...ghost, measured };
+  return { world, robot: null, livery: null, view: IDLE, measured, pose: () => IDLE.pose };
+}

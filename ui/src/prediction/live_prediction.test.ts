@@ -1,9 +1,9 @@
 import { afterEach, expect, test, vi } from "vitest";
-import type { Run, RunPrediction } from "../api/model";
-import { predictionsApi } from "../api/real_runs";
+import type { Run, RunPrediction, TruthList } from "../api/model";
+import { predictionsApi, truthsApi } from "../api/real_runs";
 import { live, liveRun } from "../run/live";
 import { IDLE } from "../run/reducer";
-import { followPrediction, livePrediction } from "./live_prediction";
+import { followPrediction, liveGhost, livePrediction } from "./live_prediction";
 
 const show = (id: string, link: string) => {
   liveRun.value = { id, link } as Run;
@@ -26,4 +26,25 @@ test("a prediction belongs to its run, also when the studio was left before the 
   show("simulated", "sim");
   followPrediction()();
   expect(livePrediction.value).toBeNull();
+});
+
+test("the path that the camera saw is shown when the run is over, and not in the next one", async () => {
+  const poses = [0, 1].map((tick) => ({ tick, x_m: tick, y_m: 0 }));
+  vi.spyOn(predictionsApi, "of").mockRejectedValue(new Error("none"));
+  vi.spyOn(truthsApi, "of").mockResolvedValue({
+    truths: [{ source: "camera", poses }],
+  } as unknown as TruthList);
+  const stop = followPrediction();
+  show("filmed", "bridge");
+  await vi.waitFor(() =>
+    expect(liveGhost(null)?.measured).toEqual([
+      [
+        [0, 0],
+        [1, 0],
+      ],
+    ]),
+  );
+  show("another", "bridge");
+  expect(liveGhost(null)).toBeNull();
+  stop();
 });

@@ -9,10 +9,16 @@ import { isLive } from "../run/reducer";
 import type { Companion } from "../scene/companion";
 import { robotOf } from "../shell/session";
 import { truthChanges } from "../truth/changes";
-import { ghostOf } from "./ghost";
+import { loadMeasured } from "../truth/load_measured";
+import { ghostOf, withMeasured } from "./ghost";
 import { isPredictionShown } from "./shown";
 
 const loaded = signal<{ readonly run: string; readonly prediction: RunPrediction } | null>(null);
+
+/** The path of the last run that a camera or the robot's localisation saw. */
+const measured = signal<{ readonly run: string; readonly path: Companion["measured"] } | null>(
+  null,
+);
 
 /** The run on a real robot that the page shows; null for none. */
 const realRun = computed(() => {
@@ -41,8 +47,15 @@ export function followPrediction(): () => void {
     if (run === followed && livePrediction.peek()?.awaits_input === false && isLive(live.peek()))
       return;
     followed = run;
-    if (run) void load(run, () => followed === run);
+    if (!run) return;
+    void load(run, () => followed === run);
+    if (!isLive(live.peek())) void loadPath(run, () => followed === run);
   });
+}
+
+async function loadPath(run: string, isFollowed: () => boolean): Promise<void> {
+  const path = await loadMeasured(run);
+  if (isFollowed()) measured.value = { run, path };
 }
 
 /** Without a prediction, such as one that the judge's process lost, the run goes on without its ghost. */
@@ -51,8 +64,16 @@ async function load(run: string, isFollowed: () => boolean): Promise<void> {
   if (prediction && isFollowed()) loaded.value = { run, prediction };
 }
 
-/** The ghost of the live run, or at the moment of it that the group looks at; `world` has its start. */
+/**
+ * The ghost of the live run, or at the moment of it that the group looks at, and the path that was measured; `world`
+ * has its start.
+ */
 export function liveGhost(world: World | null): Companion | null {
+  const path = measured.value?.run === realRun.value ? measured.value?.path : undefined;
+  return withMeasured(predictedGhost(world), path, world);
+}
+
+function predictedGhost(world: World | null): Companion | null {
   const { value: prediction } = livePrediction;
   if (!prediction || !isPredictionShown.value) return null;
   const robot = robotOf(liveRun.value?.model);

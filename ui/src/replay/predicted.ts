@@ -1,20 +1,20 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { RunPrediction, RunWithVersion } from "../api/model";
-import { predictionsApi, truthsApi } from "../api/real_runs";
+import { predictionsApi } from "../api/real_runs";
 import type { Fault } from "../editor";
 import { language, texts } from "../i18n";
 import { useInstance } from "../kit/instance";
 import { problemOf } from "../kit/requests/problem";
-import { ghostOf } from "../prediction/ghost";
+import { ghostOf, withMeasured } from "../prediction/ghost";
 import { isPredictionShown } from "../prediction/shown";
 import { predictionText } from "../prediction/words";
 import { SIMULATOR } from "../run/real/real_robot";
-import { IDLE, isLive } from "../run/reducer";
+import { isLive } from "../run/reducer";
 import type { Companion } from "../scene/companion";
 import { robotOf } from "../shell/session";
 import { truthChanges } from "../truth/changes";
-import { measuredPieces, sourceOfPath } from "../truth/measured_path";
+import { loadMeasured } from "../truth/load_measured";
 import type { RecordedRun } from "./recorded_run";
 
 /** The prediction of a recorded run, while it is shown. */
@@ -32,15 +32,11 @@ class PredictedRun implements Predicted {
   readonly problem = signal("");
   readonly companion = computed(() => {
     const { run, playback, stretches } = this.recordedRun;
-    const [prediction, measured] = [this.shown.value, this.measured.value];
+    const { value: prediction } = this.shown;
     const [world, robot] = [run.world_document, robotOf(run.model)];
-    if (prediction) {
-      const tick = playback.tick.value;
-      return { ...ghostOf({ prediction, world, robot, stretches, tick }), measured };
-    }
-    return measured
-      ? { world, robot: null, livery: null, view: IDLE, measured, pose: atStart }
-      : null;
+    const ghost =
+      prediction && ghostOf({ prediction, world, robot, stretches, tick: playback.tick.value });
+    return withMeasured(ghost, this.measured.value, world);
   });
   readonly advice = computed<readonly Fault[]>(() => {
     const { value: prediction } = this.shown;
@@ -58,9 +54,7 @@ class PredictedRun implements Predicted {
 
   /** Loads the path that was measured. Without it, the run is shown as it is. */
   async loadMeasured(): Promise<void> {
-    const truths = await truthsApi.of(this.recordedRun.run.id).catch(() => null);
-    const truth = truths && sourceOfPath(truths);
-    this.measured.value = truth ? measuredPieces(truth) : undefined;
+    this.measured.value = await loadMeasured(this.recordedRun.run.id);
   }
 
   async load(): Promise<void> {
@@ -85,5 +79,3 @@ export function usePredicted(recordedRun: RecordedRun): Predicted {
 }
 
 export const isOfRealRobot = ({ link }: Pick<RunWithVersion, "link">) => link !== SIMULATOR;
-
-const atStart = () => IDLE.pose;

@@ -114,7 +114,7 @@ interface ButtonsProps {
 function Buttons({ busy, canSave, onClose, onRemove }: ButtonsProps) {
   const { truth: words } = texts.value;
   return (
-    <div class="row wrap gap-2">
+    <div class="tape__buttons row gap-2">
       <Button submit kind="main" icon={Check} testId="tape-save" busy={busy} disabled={!canSave}>
         {words.save}
       </Button>
@@ -122,9 +122,14 @@ function Buttons({ busy, canSave, onClose, onRemove }: ButtonsProps) {
         {words.cancel}
       </Button>
       {onRemove && (
-        <Button kind="plain" icon={Trash} testId="tape-remove" busy={busy} onPress={onRemove}>
-          {words.remove}
-        </Button>
+        <Button
+          kind="plain"
+          icon={Trash}
+          label={words.remove}
+          testId="tape-remove"
+          busy={busy}
+          onPress={onRemove}
+        />
       )}
     </div>
   );

@@ -51,9 +51,11 @@ def list_real_runs() -> Response:
 
     require_teacher()
     store = services().store
+    names = {group.id: group.name for group in store.groups.all()}
     found = [
         RealRun.of(
             row,
+            group_name=names.get(row.group_id or ""),
             sources=[truth.source for truth in store.truths.of_run(row.id)],
             shape=shape_of(row.path) if row.state == "finished" else None,
         )

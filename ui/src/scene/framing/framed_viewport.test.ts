@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { IDLE } from "../../run/reducer";
 import { type Framed, FramedViewport, type Framing } from "./framed_viewport";
+import { marginsOf } from "./viewport";
 
 const FRAMED: Framed = {
   world: null,
@@ -47,4 +48,9 @@ test("a viewport that follows the robot goes to it, except while something is dr
   viewport.hold(true);
   viewport.advance({ x: 3, y: 3 }, 50, true);
   expect(viewport.current).toMatchObject(ROBOT);
+});
+
+test("a low floor leaves the room of its tools, which are side by side", () => {
+  const rightOf = (height: number) => marginsOf({ width: 314, height }, 1, false).right;
+  expect([rightOf(400), rightOf(218)]).toEqual([66, 110]);
 });

@@ -20,7 +20,11 @@ export const EDGE: Edge = { left: 34, right: 14, top: 14, bottom: 28 };
 /** `EDGE` with space on the right for the tools over the floor, which must not hide a goal. */
 export const EDGE_WITH_TOOLS: Edge = { ...EDGE, right: 66 };
 
-/** The same with space at the top for the controls over the floor of the studio. */
+/** At this height and below, the tools are side by side; see `scene.css`. */
+const TOOLS_ASIDE_PX = 344;
+const EDGE_WITH_TOOLS_ASIDE: Edge = { ...EDGE, right: 110 };
+
+/** `EDGE_WITH_TOOLS` with space at the top for the controls over the floor of the studio. */
 export const EDGE_WITH_CONTROLS: Edge = { ...EDGE_WITH_TOOLS, top: EDGE.top + 54 };
 
 /** Margins without rulers. */
@@ -44,7 +48,8 @@ export function marginsOf(
 ): Edge {
   if (magnification === 1 && isAsked) return EDGE;
   if (magnification !== 1) return hasRulers(magnification, size) ? EDGE : BARE_EDGE;
-  return hasControls && size.height > LOW_PX ? EDGE_WITH_CONTROLS : EDGE_WITH_TOOLS;
+  if (hasControls) return size.height > LOW_PX ? EDGE_WITH_CONTROLS : EDGE_WITH_TOOLS;
+  return size.height > TOOLS_ASIDE_PX ? EDGE_WITH_TOOLS : EDGE_WITH_TOOLS_ASIDE;
 }
 
 const MIN_SCALE = 12;

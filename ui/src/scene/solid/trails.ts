@@ -3,15 +3,25 @@ import type { FloorMark, Output, Stroke } from "../../run/output";
 import type { RunView } from "../../run/reducer";
 import type { Point } from "../../run/trail";
 import type { Colours } from "../colours";
+import type { Companion } from "../companion";
 import { MARK_LINE_M, MARK_M, PEN_M } from "../drawings";
 import { edgeOf, paintOf } from "../paints";
 import { begins, hasSameStroke } from "../scene_cache";
 import { jointOf, Ribbon, TrailRibbon } from "./ribbon";
 
 /** Heights of the layers over the floor, metres, in the order of the drawing from above. */
-const Z = { ideal: 0.002, path: 0.003, edge: 0.004, pen: 0.005, markEdge: 0.006, mark: 0.007 };
+const Z = {
+  ideal: 0.002,
+  path: 0.003,
+  measured: 0.0035,
+  edge: 0.004,
+  pen: 0.005,
+  markEdge: 0.006,
+  mark: 0.007,
+};
 const PATH_M = 0.08;
 const IDEAL_M = 0.025;
+const MEASURED_M = 0.05;
 const EDGE_M = 0.012;
 
 /** Everything that a run leaves on the floor: its path, the ideal path, strokes of the pen and marks. */
@@ -20,6 +30,8 @@ export class Trails {
   private readonly material = new MeshBasicMaterial({ vertexColors: true, depthWrite: false });
   private readonly ideal: TrailRibbon;
   private readonly path: TrailRibbon;
+  private readonly measured: Ribbon;
+  private shownMeasured: Companion["measured"];
   private readonly strokes: Strokes;
   private readonly marks: readonly [Ribbon, Ribbon];
   private shownMarks: readonly FloorMark[] = [];
@@ -34,6 +46,7 @@ export class Trails {
     this.path = isDashed
       ? new TrailRibbon(ribbon(PATH_M, Z.path, [0.12, 0.07]), colours.start)
       : new TrailRibbon(ribbon(PATH_M, Z.path), colours.path);
+    this.measured = ribbon(MEASURED_M, Z.measured, [MEASURED_M, MEASURED_M]);
     this.strokes = new Strokes(ribbon(PEN_M + 2 * EDGE_M, Z.edge), ribbon(PEN_M, Z.pen), colours);
     this.marks = [ribbon(MARK_LINE_M + 0.04, Z.markEdge), ribbon(MARK_LINE_M, Z.mark)];
     for (const { mesh } of this.ribbons) this.group.add(mesh);
@@ -49,6 +62,15 @@ export class Trails {
     this.drawMarks();
   }
 
+  /** Shows the pieces of a path that a source of truth saw, dotted. */
+  showMeasured(pieces: Companion["measured"]): void {
+    if (pieces === this.shownMeasured) return;
+    this.shownMeasured = pieces;
+    this.measured.cut(0);
+    for (const piece of pieces ?? []) this.measured.append(piece, this.colours.measured);
+    this.measured.upload();
+  }
+
   dispose(): void {
     for (const ribbon of this.ribbons) ribbon.dispose();
     this.material.dispose();
@@ -56,7 +78,8 @@ export class Trails {
   }
 
   private get ribbons(): readonly Ribbon[] {
-    return [this.ideal.ribbon, this.path.ribbon, ...this.strokes.ribbons, ...this.marks];
+    const { ideal, path, measured, strokes, marks } = this;
+    return [ideal.ribbon, path.ribbon, measured, ...strokes.ribbons, ...marks];
   }
 
   private drawMarks(): void {

@@ -269,6 +269,7 @@ export class SolidView {
     const pose = this.options.poseAt(now);
     this.place(this.runner, this.view, pose);
     if (this.companion) this.place(this.ghost, this.companion.view, this.companion.pose());
+    this.ghost?.trails.showMeasured(this.companion?.measured);
     this.belief?.show(this.view, pose);
     const turning = this.moveCamera(pose, elapsed);
     const pixel = this.cameras.pixel * this.magnification;

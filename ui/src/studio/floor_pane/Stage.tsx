@@ -168,7 +168,7 @@ function RoomStatus() {
   const { short, tip } = stateText(state);
   return (
     <p class="floor__locked floor__room row middle gap-2" title={isDetected ? tip : undefined}>
-      {texts.value.robot.room}
+      <span class="floor__room-name">{texts.value.robot.room}</span>
       {isDetected && <span class="floor__robot-state">{short}</span>}
     </p>
   );

@@ -30,7 +30,7 @@ export function ClassPreset({ classroom, preset, activities, onChanged }: ClassP
     <section class="panel card">
       <h2>{labels.title}</h2>
       <p class="teacher__hint">{labels.hint}</p>
-      <div class="teacher__row">
+      <div class="class-preset">
         <LabelledSelect
           label={labels.level}
           value={preset.level ?? null}

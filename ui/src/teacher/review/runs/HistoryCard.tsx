@@ -57,7 +57,9 @@ export function HistoryCard({ run, chosen, lesson }: HistoryCardProps) {
         <span class="work-card__words">
           <span class="run-card__group row middle gap-2">
             <GroupPicture name={run.group?.picture ?? ""} class="run-card__picture" />
-            <span>{run.group?.name ?? runs.commandLine}</span>
+            <span data-shortened title={run.group?.name}>
+              {run.group?.name ?? runs.commandLine}
+            </span>
           </span>
           <RobotName link={run.link} calibrated={run.calibrated_robot} />
           <span class="work-card__line work-card__line--strong run-card__outcome">

@@ -34,18 +34,20 @@ export function ChooseRuns({ runs, onSaved }: ChooseRunsProps) {
     <>
       <fieldset class="calibration__runs">
         <legend>{labels.choose}</legend>
-        {runs.map((run) => (
-          <RunChoice
-            key={run.id}
-            run={run}
-            isChosen={chosen.value.includes(run.id)}
-            onChoose={(isChosen) => {
-              const others = chosen.value.filter((id) => id !== run.id);
-              chosen.value = isChosen ? [...others, run.id] : others;
-              result.value = null;
-            }}
-          />
-        ))}
+        <div class="calibration__list" data-scrolls>
+          {runs.map((run) => (
+            <RunChoice
+              key={run.id}
+              run={run}
+              isChosen={chosen.value.includes(run.id)}
+              onChoose={(isChosen) => {
+                const others = chosen.value.filter((id) => id !== run.id);
+                chosen.value = isChosen ? [...others, run.id] : others;
+                result.value = null;
+              }}
+            />
+          ))}
+        </div>
       </fieldset>
       <Button
         kind="main"
@@ -72,6 +74,7 @@ interface RunChoiceProps {
 function RunChoice({ run, isChosen, onChoose }: RunChoiceProps) {
   const { calibration: labels, work } = texts.value;
   const facts = [
+    run.group_name,
     robotLabel(run.link),
     dateAndTime(run.started_at, language.value),
     run.duration_s !== null && duration(run.duration_s, language.value),
