@@ -143,16 +143,27 @@ export function positionBubble(
 ): "beside" | "below" | null {
   if (!(bubble instanceof Blockly.bubbles.TextBubble)) return null;
   const view = block.workspace.getMetricsManager().getViewMetrics(true);
-  const { left, right, top } = block.getBoundingRectangleWithoutChildren();
+  const { left, top } = block.getBoundingRectangleWithoutChildren();
   const stack = block.getRootBlock().getBoundingRectangle();
   const below = stack.bottom + GAP;
   const root = bubble.getSvgRoot() as SVGGraphicsElement;
-  const isBeside = right + GAP + root.getBBox().width <= view.left + view.width;
+  const { width, height } = root.getBBox();
+  const right = rightBetween(block.getRootBlock(), top, top + height);
+  const isBeside = right + GAP + width <= view.left + view.width;
   if (!isBeside && below > Math.min(stack.top, view.top) + view.height) return null;
   const [x, y] = isBeside ? [right + GAP, top] : [left, below];
   bubble.setPositionRelativeToAnchor(x - left - ICON_INSET, y - top - ICON_INSET);
   Blockly.utils.dom.addClass(root, "pinelBesideBubble");
   return isBeside ? "beside" : "below";
+}
+
+/** Where the widest block of a stack between two heights ends. */
+function rightBetween(stack: Blockly.BlockSvg, from: number, to: number): number {
+  const rectangles = stack
+    .getDescendants(false)
+    .map((block) => block.getBoundingRectangleWithoutChildren())
+    .filter(({ top, bottom }) => top < to && bottom > from);
+  return Math.max(...rectangles.map(({ right }) => right));
 }
 
 /** The rectangle around a block and its bubble, in workspace units. */

@@ -32,6 +32,10 @@ export interface RobotFrame extends Omit<RobotPlace, "reach"> {
   readonly atRest: boolean;
 }
 
+/** The radius around the robot's centre that stays free of signs, in pixels. */
+export const reachOf = (radius_m: number, scale: number): number =>
+  Math.max(FREE_PX, (radius_m + FREE_M) * scale);
+
 /** The signs around the robot: what it says, its beep, its name, and the celebration of a solved mission. */
 export class RobotSigns {
   private beep: ShownText | null = null;
@@ -56,7 +60,7 @@ export class RobotSigns {
   /** Draws all signs; returns whether they move. */
   draw(ctx: Ctx, frame: RobotFrame, now: number, still: boolean, colours: Colours): boolean {
     const { beep, text } = this;
-    const reach = Math.max(FREE_PX, (frame.radius_m + FREE_M) * frame.scale);
+    const reach = reachOf(frame.radius_m, frame.scale);
     const grown = (sign: ShownText) =>
       still ? 1 : Math.min(1, Math.max(0, now - sign.since) / GROWING_MS);
     const isCelebrating = this.drawCelebration(ctx, frame, reach, now, still, colours);
