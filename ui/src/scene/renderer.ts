@@ -15,7 +15,8 @@ import { hasPlateBelow } from "./mat/places";
 import { drawRanges, type Measurements } from "./ranges_view";
 import { drawBelief, drawKnob, drawRobot } from "./robot";
 import { type CacheInput, SceneCache } from "./scene_cache";
-import { isPathBelow } from "./signs/name_side";
+import type { NameSide } from "./signs/bubble_view";
+import { sideOfName } from "./signs/name_side";
 import { RobotSigns, reachOf } from "./signs/robot_signs";
 
 /** Redraws continue for this time after the last change, until the interpolated pose has arrived; ms. */
@@ -332,13 +333,19 @@ export class SceneRenderer {
       size,
       radius_m,
       scale,
-      nameAbove:
-        (world !== null && hasPlateBelow(world, place, 1 / scale)) ||
-        (atRest && isPathBelow(view.path, start, place, reachOf(radius_m, scale), scale)),
+      nameSide: atRest ? this.nameSide(place, reachOf(radius_m, scale), scale) : "below",
       livery,
       atRest,
     };
     return this.signs.draw(ctx, frame, now, this.still(), colours);
+  }
+
+  /** The side for the robot's name that its path and the name of its place leave free. */
+  private nameSide(place: XY, reach: number, scale: number): NameSide {
+    const { world, view } = this;
+    const hasPlate = world !== null && hasPlateBelow(world, place, 1 / scale);
+    const sides: NameSide[] = hasPlate ? ["above"] : ["below", "above", "left", "right"];
+    return sideOfName(view.path, startOf(world), place, reach, scale, sides);
   }
 
   private drawRobot(

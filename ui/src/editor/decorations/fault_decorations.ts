@@ -13,6 +13,8 @@ export interface Fault {
 }
 
 const GAP = 12;
+/** Width of the widest bubble, in workspace units. */
+const ROOM = 300;
 /** Offset from the corner of a block to the centre of its icon, where bubbles are anchored. */
 const ICON_INSET = 16;
 const NOTICE_BUBBLE = "pinelNoticeBubble";
@@ -43,7 +45,12 @@ export class FaultDecorations {
     const added = [...texts].filter(([id, text]) => this.decorate(id, text)).map(([id]) => id);
     const quiet = faults.filter(({ isQuiet }) => isQuiet).map(({ block }) => block);
     const first = added.find((id) => !quiet.includes(id));
-    if (first) void this.openAlone(first);
+    if (first && this.hasRoom()) void this.openAlone(first);
+  }
+
+  /** Whether a bubble fits; in a narrower workspace it opens on a press only, the list of faults says the same. */
+  private hasRoom(): boolean {
+    return this.workspace.getMetricsManager().getViewMetrics(true).width >= ROOM;
   }
 
   has(id: string): boolean {

@@ -3,7 +3,7 @@ import type { Livery } from "../livery/livery";
 import { liveryPaint } from "../livery/livery";
 import { paintOf } from "../paints";
 import { drawWaves, WAVES_PX } from "./beep_view";
-import { drawBubble, drawName, drawPlate, type RobotPlace } from "./bubble_view";
+import { drawBubble, drawName, drawPlate, type NameSide, type RobotPlace } from "./bubble_view";
 import { CELEBRATION_MS, drawConfetti, drawWreath } from "./celebration_view";
 
 type Ctx = CanvasRenderingContext2D;
@@ -25,8 +25,8 @@ export interface RobotFrame extends Omit<RobotPlace, "reach"> {
   readonly radius_m: number;
   /** Pixels of a metre. */
   readonly scale: number;
-  /** Whether the robot's name is above it: below are its path, or the name of its place. */
-  readonly nameAbove: boolean;
+  /** Where the robot's name is. */
+  readonly nameSide: NameSide;
   readonly livery: Livery | null;
   /** Whether no run is live: the robot's name is shown. */
   readonly atRest: boolean;
@@ -69,7 +69,7 @@ export class RobotSigns {
     if (text) drawBubble(ctx, text.text, place, grown(text), colours);
     else if (beep) drawPlate(ctx, beep.text, place, colours);
     else if (frame.atRest && frame.livery?.name && !isCelebrating)
-      drawName(ctx, frame.livery.name, place, frame.nameAbove, colours);
+      drawName(ctx, frame.livery.name, place, frame.nameSide, colours);
     return isCelebrating;
   }
 
