@@ -91,7 +91,7 @@ class CloudClient:
                 n=N_ROBOTS,
                 rows=message["rows"],
                 is_over=end is not None,
-                n_good=end["n_good"] if end else 0,
+                good=end["good"] if end else [],
                 text=text,
                 block=end["block"] if end else None,
             ).to_wire()
@@ -101,7 +101,7 @@ class CloudClient:
         cloud, self._cloud = self._cloud, None
         if cloud is not None:
             text = self._lost_text()
-            self._publish(CloudProgress(cloud, N_ROBOTS, [], True, 0, text, None).to_wire())
+            self._publish(CloudProgress(cloud, N_ROBOTS, [], True, [], text, None).to_wire())
 
     def _lost_text(self) -> str:
         text = describe("cloud_lost", {}, self._language())

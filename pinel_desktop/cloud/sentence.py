@@ -28,7 +28,8 @@ def sentence_of(
         case: what the case of the activity gives to the program; "" for the only case.
     """
     code = ("cloud_passed_case" if case else "cloud_passed") if is_judged else "cloud_together"
-    values = {"good": n_good_of(summary, is_judged), "all": summary.n_runs, "case": case}
+    n_good = summary.n_well if is_judged else summary.n_together
+    values = {"count": n_good, "all": summary.n_runs, "case": case}
     parts = [describe(code, values, language).message]
     # several checks of one activity may fail at one block
     counts: Counter[tuple[str, str | None]] = Counter()
@@ -39,11 +40,6 @@ def sentence_of(
         code = f"cloud_{kind}_at" if label and kind != "robot_lost" else f"cloud_{kind}"
         parts.append(describe(code, {"n": n, "block": label}, language).message)
     return " ".join(parts)
-
-
-def n_good_of(summary: Summary, is_judged: bool) -> int:
-    """Returns how many robots do what the group wants: pass, or without an activity, end where most of them end."""
-    return summary.n_well if is_judged else summary.n_together
 
 
 def _kind(reason: Reason) -> str:

@@ -11,9 +11,9 @@ import psutil
 
 from pinel_desktop.activities import Activity
 from pinel_desktop.cloud.messages import N_ROBOTS, STOP, CloudRequest
-from pinel_desktop.cloud.sentence import n_good_of, sentence_of
+from pinel_desktop.cloud.sentence import sentence_of
 from pinel_desktop.processes.messages import PING, PONG, Message, read_messages, write_message
-from pinel_desktop.sweep import Job, Row, make_jobs, new_pool, rows_of, summary_of
+from pinel_desktop.sweep import Job, Row, make_jobs, new_pool, rows_of, summary_of, together
 
 _log = logging.getLogger(__name__)
 _MAX_WORKERS = 4
@@ -122,5 +122,5 @@ def _end(request: CloudRequest, rows: list[Row]) -> dict[str, Any]:
         summary, request.document, request.language, is_judged=is_judged, case=request.case
     )
     block = next((reason.block for reason, _ in summary.reasons if reason.block), None)
-    n_good = n_good_of(summary, is_judged)
-    return {"n_done": len(rows), "n_good": n_good, "text": text, "block": block}
+    good = [row for row in rows if row.is_well] if is_judged else together(rows)
+    return {"good": [row.seed for row in good], "text": text, "block": block}

@@ -133,7 +133,7 @@ class CloudProgress(StreamEvent):
         n: number of all its robots.
         rows: the robots that have arrived since the last event.
         is_over: whether no more robots come: all have arrived, or the cloud was stopped or lost.
-        n_good: at the end, how many passed, or without an activity, end where most of them end.
+        good: at the end, seeds of the robots that passed, or without an activity, end where most of them end.
         text: at the end, that and what stopped the others, as text in the chosen language.
         block: at the end, id of the block that stopped most of the others; null without one.
     """
@@ -143,7 +143,7 @@ class CloudProgress(StreamEvent):
     n: int
     rows: list[CloudRow]
     is_over: bool
-    n_good: int
+    good: list[int]
     text: str
     block: str | None
 

@@ -59,17 +59,22 @@ def summary_of(rows: Iterable[Row]) -> Summary:
     """Returns the summary of rows; their order does not matter."""
     rows = sorted(rows, key=lambda row: row.index)
     started = [row for row in rows if row.end is not None]
-    well = [row for row in started if row.is_well]
     return Summary(
         n_runs=len(rows),
         n_well=sum(row.is_well for row in rows),
         n_collided=sum(row.n_collisions > 0 for row in rows),
-        n_together=int(np.count_nonzero(_distances(well) <= TOGETHER_M)),
+        n_together=len(together(rows)),
         closing_error_m=_percentiles([row.closing_error_m or 0.0 for row in started]),
         duration_s=_percentiles([row.duration_s for row in started]),
         end_spread_m=_end_spread_m(started),
         reasons=_reasons(rows),
     )
+
+
+def together(rows: Iterable[Row]) -> list[Row]:
+    """Returns those that went well and end within `TOGETHER_M` of where most of these end."""
+    well = [row for row in rows if row.is_well and row.end is not None]
+    return [row for row, away in zip(well, _distances(well), strict=True) if away <= TOGETHER_M]
 
 
 def _percentiles(values: list[float]) -> tuple[float, float, float] | None:

@@ -85,7 +85,7 @@ def test_all_robots_arrive_and_a_sentence_says_how_firm_the_program_is(lasting: 
     assert [row["seed"] for row in rows] == list(range(1, N_ROBOTS + 1))
     assert len({tuple(map(tuple, row["path"])) for row in rows}) == N_ROBOTS
     assert (end["cloud"], end["n"]) == (cloud, N_ROBOTS)
-    assert end["text"].startswith(f"{end['n_good']} de 50 robôs param a menos de 10 cm")
+    assert end["text"].startswith(f"{len(end['good'])} de 50 robôs param a menos de 10 cm")
 
 
 def test_the_robots_have_the_errors_of_a_calibrated_one(lasting: Clouds) -> None:
@@ -97,8 +97,8 @@ def test_the_robots_have_the_errors_of_a_calibrated_one(lasting: Clouds) -> None
 def test_a_mission_judges_each_robot(lasting: Clouds) -> None:
     lasting.begin(SQUARE, "square")
     rows, end = lasting.to_the_end()
-    assert end["n_good"] == sum(row["well"] for row in rows)
-    assert f"{end['n_good']} de 50 robôs" in end["text"]
+    assert sorted(end["good"]) == [row["seed"] for row in rows if row["well"]]
+    assert f"{len(end['good'])} de 50 robôs" in end["text"]
     assert "missão" in end["text"]
 
 
@@ -112,7 +112,7 @@ def test_in_a_case_of_a_mission_they_start_there_and_the_sentence_names_the_case
     start = choose_activity("stop_before_wall").cases[-1].start
     assert start is not None
     assert all(row["path"][0] == [start.x_m, start.y_m] for row in rows)
-    assert end["text"].startswith(f"Com a partida de lá: {end['n_good']} de 50 robôs fazem")
+    assert end["text"].startswith(f"Com a partida de lá: {len(end['good'])} de 50 robôs fazem")
 
 
 def test_stop_ends_a_cloud_and_says_how_many_came(lasting: Clouds) -> None:

@@ -50,8 +50,8 @@ export interface PageTexts {
 
 const PAPER = "#ffffff";
 const MAX_SCALE = 0.9;
-/** Share of the width that the texts at the left may have. */
-const LEFT_PART = 0.6;
+/** Share of the width that the texts at the right may have; those at the left have the rest. */
+const RIGHT_PART = 0.6;
 
 /** A page on white paper: the texts, the floor, and the blocks of the program beside it. */
 export class Page {
@@ -113,22 +113,26 @@ export class Page {
   private drawTexts(ctx: CanvasRenderingContext2D, texts: PageTexts, width: number): void {
     const { margin, head, titlePx, textPx } = this.format;
     const { ink, number, font } = this.colours;
-    const left = (width - 2 * margin) * LEFT_PART;
-    const right = width - 2 * margin - left - margin;
-    const [first, second] = [head * 0.32, head * 0.7];
+    const whole = width - 2 * margin;
+    /** Writes a text, as far as it has room; returns how wide it is. */
     const write = (text: string, y: number, max: number, weight: number, px: number) => {
       ctx.font = `${weight} ${px}px ${font}`;
       const x = ctx.textAlign === "right" ? width - margin : margin;
-      ctx.fillText(shortened(ctx, text, max), x, y);
+      const written = shortened(ctx, text, max);
+      ctx.fillText(written, x, y);
+      return ctx.measureText(written).width;
     };
+    const [first, second] = [head * 0.32, head * 0.7];
     ctx.textBaseline = "middle";
-    ctx.fillStyle = ink;
-    write(texts.title, first, left, 700, titlePx);
-    write(texts.mission, second, left, 600, textPx);
     ctx.textAlign = "right";
-    write(texts.owner, first, right, 600, textPx + 2);
+    ctx.fillStyle = ink;
+    const owner = write(texts.owner, first, whole * RIGHT_PART, 600, textPx + 2);
     ctx.fillStyle = number;
-    write(texts.facts, second, right, 400, textPx - 2);
+    const facts = write(texts.facts, second, whole * RIGHT_PART, 400, textPx - 2);
+    ctx.textAlign = "left";
+    ctx.fillStyle = ink;
+    write(texts.title, first, whole - owner - margin, 700, titlePx);
+    write(texts.mission, second, whole - facts - margin, 600, textPx);
   }
 
   private paintBlocks(

@@ -15,7 +15,9 @@ import { hasPlateBelow } from "./mat/places";
 import { drawRanges, type Measurements } from "./ranges_view";
 import { drawBelief, drawKnob, drawRobot } from "./robot";
 import { type CacheInput, SceneCache } from "./scene_cache";
-import { RobotSigns } from "./signs/robot_signs";
+import type { NameSide } from "./signs/bubble_view";
+import { sideOfName } from "./signs/name_side";
+import { RobotSigns, reachOf } from "./signs/robot_signs";
 
 /** Redraws continue for this time after the last change, until the interpolated pose has arrived; ms. */
 const LINGER_MS = 250;
@@ -321,19 +323,29 @@ export class SceneRenderer {
     now: number,
   ): boolean {
     const { livery } = this;
+    const { scale } = viewport;
     const start = startOf(world);
     const place = toWorld(start, pose.x, pose.y);
-    const cameFromBelow = Math.sin(start.yaw + pose.yaw) >= 0.5;
+    const radius_m = robot?.radius_m ?? 0;
+    const atRest = robot !== null && !isLive(view);
     const frame = {
       at: toScreen(viewport, size, place),
       size,
-      radius_m: robot?.radius_m ?? 0,
-      scale: viewport.scale,
-      nameAbove: cameFromBelow || (world !== null && hasPlateBelow(world, place)),
+      radius_m,
+      scale,
+      nameSide: atRest ? this.nameSide(place, reachOf(radius_m, scale), scale) : "below",
       livery,
-      atRest: robot !== null && !isLive(view),
+      atRest,
     };
     return this.signs.draw(ctx, frame, now, this.still(), colours);
+  }
+
+  /** The side for the robot's name that its path and the name of its place leave free. */
+  private nameSide(place: XY, reach: number, scale: number): NameSide {
+    const { world, view } = this;
+    const hasPlate = world !== null && hasPlateBelow(world, place, 1 / scale);
+    const sides: NameSide[] = hasPlate ? ["above"] : ["below", "above", "left", "right"];
+    return sideOfName(view.path, startOf(world), place, reach, scale, sides);
   }
 
   private drawRobot(

@@ -13,6 +13,8 @@ export interface Fault {
 }
 
 const GAP = 12;
+/** Width of the widest bubble, in workspace units. */
+const ROOM = 300;
 /** Offset from the corner of a block to the centre of its icon, where bubbles are anchored. */
 const ICON_INSET = 16;
 const NOTICE_BUBBLE = "pinelNoticeBubble";
@@ -43,7 +45,12 @@ export class FaultDecorations {
     const added = [...texts].filter(([id, text]) => this.decorate(id, text)).map(([id]) => id);
     const quiet = faults.filter(({ isQuiet }) => isQuiet).map(({ block }) => block);
     const first = added.find((id) => !quiet.includes(id));
-    if (first) void this.openAlone(first);
+    if (first && this.hasRoom()) void this.openAlone(first);
+  }
+
+  /** Whether a bubble fits; in a narrower workspace it opens on a press only, the list of faults says the same. */
+  private hasRoom(): boolean {
+    return this.workspace.getMetricsManager().getViewMetrics(true).width >= ROOM;
   }
 
   has(id: string): boolean {
@@ -143,16 +150,27 @@ export function positionBubble(
 ): "beside" | "below" | null {
   if (!(bubble instanceof Blockly.bubbles.TextBubble)) return null;
   const view = block.workspace.getMetricsManager().getViewMetrics(true);
-  const { left, right, top } = block.getBoundingRectangleWithoutChildren();
+  const { left, top } = block.getBoundingRectangleWithoutChildren();
   const stack = block.getRootBlock().getBoundingRectangle();
   const below = stack.bottom + GAP;
   const root = bubble.getSvgRoot() as SVGGraphicsElement;
-  const isBeside = right + GAP + root.getBBox().width <= view.left + view.width;
+  const { width, height } = root.getBBox();
+  const right = rightBetween(block.getRootBlock(), top, top + height);
+  const isBeside = right + GAP + width <= view.left + view.width;
   if (!isBeside && below > Math.min(stack.top, view.top) + view.height) return null;
   const [x, y] = isBeside ? [right + GAP, top] : [left, below];
   bubble.setPositionRelativeToAnchor(x - left - ICON_INSET, y - top - ICON_INSET);
   Blockly.utils.dom.addClass(root, "pinelBesideBubble");
   return isBeside ? "beside" : "below";
+}
+
+/** Where the widest block of a stack between two heights ends. */
+function rightBetween(stack: Blockly.BlockSvg, from: number, to: number): number {
+  const rectangles = stack
+    .getDescendants(false)
+    .map((block) => block.getBoundingRectangleWithoutChildren())
+    .filter(({ top, bottom }) => top < to && bottom > from);
+  return Math.max(...rectangles.map(({ right }) => right));
 }
 
 /** The rectangle around a block and its bubble, in workspace units. */

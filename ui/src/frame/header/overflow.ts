@@ -15,6 +15,7 @@ const LEFT_OUT = [
   "robot",
   "lesson",
   "saved",
+  "group",
 ] as const;
 
 /** Hides parts of the header while its contents are too wide. Names are shortened last. */

@@ -1,4 +1,5 @@
 import { describe, expect, test } from "vitest";
+import furnished from "../../../../sim/worlds/furnished_room.json";
 import neighbourhood from "../../../../sim/worlds/neighbourhood.json";
 import type { World } from "../../api/model";
 import { areaOf } from "../areas";
@@ -73,4 +74,10 @@ test("all names of the town are shown on a floor of usual size; on a tiny one no
       expect(dx >= (one.width + other.width) / 2 || dy >= one.depth).toBe(true);
     }
   }
+});
+
+test("a long name goes to another side of its field rather than be left out", () => {
+  const room = { title: "", ...furnished } as unknown as World;
+  const long = platesOf(room, ({ name }) => 0.12 * `${name} · living room`.length, 0.28);
+  expect(long.map(({ zone }) => zone.name)).toEqual(room.zones.map(({ name }) => name));
 });

@@ -46,7 +46,7 @@ export function inkOn({ floor }: World, zone: Zone): string | null {
 
 /** Draws the names of pictured places on plates beside their fields, over all that stands there. */
 export function drawPlates(ctx: Ctx, world: World, colours: Colours, pixel: number): void {
-  const letters = Math.max(NAME_M, READABLE_PX * pixel);
+  const letters = lettersAt(pixel);
   ctx.save();
   ctx.font = `700 100px ${colours.font}`;
   const widthOf = (zone: Zone) => (ctx.measureText(textOf(zone)).width / 100 + 0.9) * letters;
@@ -56,6 +56,9 @@ export function drawPlates(ctx: Ctx, world: World, colours: Colours, pixel: numb
   ctx.restore();
 }
 
+/** Height of the letters, in metres, where a pixel has `pixel` metres. */
+const lettersAt = (pixel: number) => Math.max(NAME_M, READABLE_PX * pixel);
+
 interface Plate {
   readonly x: number;
   readonly y: number;
@@ -63,7 +66,7 @@ interface Plate {
   readonly depth: number;
 }
 
-/** The plates that fit: on a small floor a name that would lie on another one is left out. Its pictogram stays. */
+/** The plates that fit: on a small floor a name that would lie on others wherever it lies is left out. Its pictogram stays. */
 export function platesOf(
   world: World,
   widthOf: (zone: Zone) => number,
@@ -72,8 +75,11 @@ export function platesOf(
   const placed: { zone: Zone; plate: Plate }[] = [];
   for (const zone of world.zones ?? []) {
     if (!isPictured(world, zone)) continue;
-    const plate = plateOf(world, zone, widthOf(zone), depth);
-    if (!placed.some((other) => overlap(plate, other.plate))) placed.push({ zone, plate });
+    const plate = platesFor(world, zone, widthOf(zone), depth).find(
+      (one, rank) =>
+        (rank === 0 || isInside(world, one)) && !placed.some((other) => overlap(one, other.plate)),
+    );
+    if (plate) placed.push({ zone, plate });
   }
   return placed;
 }
@@ -109,10 +115,11 @@ function drawPlate(
 }
 
 /** Whether the name of the place at a point of the world frame lies below its field. */
-export function hasPlateBelow(world: World, point: XY): boolean {
+export function hasPlateBelow(world: World, point: XY, pixel = 0): boolean {
   const zone = (world.zones ?? []).find((one) => contains(areaOf(one), point));
   if (!zone || !isPictured(world, zone)) return false;
-  return plateOf(world, zone, NAME_M * 5, NAME_M * 1.4).y < areaOf(zone).y;
+  const letters = lettersAt(pixel);
+  return plateOf(world, zone, letters * 5, letters * 1.4).y < areaOf(zone).y;
 }
 
 /** The name of a place in the language of the page; null if it is the same word, or none is known. */
@@ -122,7 +129,10 @@ export function translationOf(name: string): string | null {
 }
 
 /** Where a plate lies: beside its field, where it covers least. */
-export function plateOf(world: World, zone: Zone, width: number, depth: number): Plate {
+export const plateOf = (...of: Parameters<typeof platesFor>): Plate => platesFor(...of)[0] as Plate;
+
+/** The plates beside the field of a place, the one that covers least first. */
+function platesFor(world: World, zone: Zone, width: number, depth: number): Plate[] {
   const field = areaOf(zone);
   const [down, across] = [(field.depth + depth) / 2 + GAP_M, (field.width + width) / 2 + GAP_M];
   const aside = Math.abs(field.width - width) / 2;
@@ -138,8 +148,10 @@ export function plateOf(world: World, zone: Zone, width: number, depth: number):
     (isInside(world, plate) ? 0 : 100) +
     10 * obstacles.filter((area) => isOn(plate, area)).length +
     streets.filter((area) => isOn(plate, area)).length;
-  const costs = plates.map(cost);
-  return plates[costs.indexOf(Math.min(...costs))] as Plate;
+  return plates
+    .map((plate) => ({ plate, cost: cost(plate) }))
+    .sort((one, other) => one.cost - other.cost)
+    .map(({ plate }) => plate);
 }
 
 /** What a plate must not cover: other places and colours, things, walls. */

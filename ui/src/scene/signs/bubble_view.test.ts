@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { boxAt, nameAt } from "./bubble_view";
+import { boxAt, type NameSide, nameAt } from "./bubble_view";
 
 const BUBBLE = { width: 190, height: 62 };
 const FLOORS = [
@@ -37,10 +37,12 @@ test("a bubble is above the robot, below it under the controls, and left of the 
 
 test("a name is on the side that is wanted, but never under the controls or below the floor", () => {
   const [size] = FLOORS as [(typeof FLOORS)[number]];
-  const at = (y: number, isAbove: boolean) =>
-    nameAt({ at: { x: 270, y }, reach: 24, size }, isAbove);
-  expect(at(300, true)).toBeLessThan(300);
-  expect(at(300, false)).toBeGreaterThan(300);
-  expect(at(84, true)).toBeGreaterThan(84);
-  expect(at(470, false)).toBeLessThan(470);
+  const at = (y: number, side: NameSide, x = 270) =>
+    nameAt({ at: { x, y }, reach: 24, size }, side, 60);
+  expect(at(300, "above").y).toBeLessThan(300);
+  expect(at(300, "below").y).toBeGreaterThan(300);
+  expect(at(84, "above").y).toBeGreaterThan(84);
+  expect(at(470, "below").y).toBeLessThan(470);
+  expect(at(300, "left")).toEqual({ x: 270 - 24 - 60 - 2, y: 300 });
+  expect(at(300, "left", 70).y).toBeGreaterThan(300);
 });

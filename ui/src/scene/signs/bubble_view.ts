@@ -18,8 +18,11 @@ const PADDING_PX = { x: 14, y: 8 };
 const TAIL_PX = { length: 12, halfWidth: 8 };
 
 const NAME_FONT_PX = 14;
-const NAME_HEIGHT_PX = 22;
-const NAME_MAX_PX = 150;
+export const NAME_HEIGHT_PX = 22;
+export const NAME_MAX_PX = 150;
+
+/** Where a name is, seen from its robot. */
+export type NameSide = "below" | "above" | "left" | "right";
 
 /** Where the robot stands on the canvas: its centre, and the radius around it that stays free, in pixels. */
 export interface RobotPlace {
@@ -80,15 +83,14 @@ export function drawPlate(ctx: Ctx, text: string, place: RobotPlace, colours: Co
   ctx.restore();
 }
 
-/** Draws the robot's name above or below it. */
+/** Draws the robot's name at its side. */
 export function drawName(
   ctx: Ctx,
   name: string,
   place: RobotPlace,
-  isAbove: boolean,
+  side: NameSide,
   colours: Colours,
 ): void {
-  const { at, size } = place;
   ctx.save();
   ctx.font = `600 ${NAME_FONT_PX}px ${colours.font}`;
   ctx.direction = isRightToLeft(name) ? "rtl" : "ltr";
@@ -96,8 +98,7 @@ export function drawName(
   ctx.textBaseline = "middle";
   const text = shortened(ctx, name);
   const half = ctx.measureText(text).width / 2 + 8;
-  const x = within(at.x, half + EDGE_PX, size.width - half - rightOf(2 * half, size));
-  const y = nameAt(place, isAbove);
+  const { x, y } = nameAt(place, side, half);
   ctx.beginPath();
   ctx.roundRect(x - half, y - NAME_HEIGHT_PX / 2, 2 * half, NAME_HEIGHT_PX, NAME_HEIGHT_PX / 2);
   ctx.globalAlpha = 0.9;
@@ -109,8 +110,18 @@ export function drawName(
   ctx.restore();
 }
 
-/** Height of the middle of a name, above or below the robot: below under the controls, above at the lower edge. */
-export function nameAt({ at, reach, size }: RobotPlace, isAbove: boolean): number {
+/** The middle of a name. Without room on its side: below under the controls, above at the lower edge. */
+export function nameAt(place: RobotPlace, side: NameSide, half: number): XY {
+  const { at, reach, size } = place;
+  const [first, last] = [half + EDGE_PX, size.width - half - rightOf(2 * half, size)];
+  const beside = at.x + (side === "left" ? -1 : 1) * (reach + half + 2);
+  const isBeside = side === "left" || side === "right";
+  if (isBeside && beside >= first && beside <= last && at.y >= topOf(size))
+    return { x: beside, y: at.y };
+  return { x: within(at.x, first, last), y: heightOf(place, side === "above") };
+}
+
+function heightOf({ at, reach, size }: RobotPlace, isAbove: boolean): number {
   const away = reach + NAME_HEIGHT_PX / 2 + 2;
   const isFreeAbove = at.y - away - NAME_HEIGHT_PX / 2 >= topOf(size);
   const isFreeBelow = at.y + away + NAME_HEIGHT_PX < size.height;

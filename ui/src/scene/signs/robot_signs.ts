@@ -3,7 +3,7 @@ import type { Livery } from "../livery/livery";
 import { liveryPaint } from "../livery/livery";
 import { paintOf } from "../paints";
 import { drawWaves, WAVES_PX } from "./beep_view";
-import { drawBubble, drawName, drawPlate, type RobotPlace } from "./bubble_view";
+import { drawBubble, drawName, drawPlate, type NameSide, type RobotPlace } from "./bubble_view";
 import { CELEBRATION_MS, drawConfetti, drawWreath } from "./celebration_view";
 
 type Ctx = CanvasRenderingContext2D;
@@ -25,12 +25,16 @@ export interface RobotFrame extends Omit<RobotPlace, "reach"> {
   readonly radius_m: number;
   /** Pixels of a metre. */
   readonly scale: number;
-  /** Whether the robot's name is above it: below are its path, or the name of its place. */
-  readonly nameAbove: boolean;
+  /** Where the robot's name is. */
+  readonly nameSide: NameSide;
   readonly livery: Livery | null;
   /** Whether no run is live: the robot's name is shown. */
   readonly atRest: boolean;
 }
+
+/** The radius around the robot's centre that stays free of signs, in pixels. */
+export const reachOf = (radius_m: number, scale: number): number =>
+  Math.max(FREE_PX, (radius_m + FREE_M) * scale);
 
 /** The signs around the robot: what it says, its beep, its name, and the celebration of a solved mission. */
 export class RobotSigns {
@@ -56,7 +60,7 @@ export class RobotSigns {
   /** Draws all signs; returns whether they move. */
   draw(ctx: Ctx, frame: RobotFrame, now: number, still: boolean, colours: Colours): boolean {
     const { beep, text } = this;
-    const reach = Math.max(FREE_PX, (frame.radius_m + FREE_M) * frame.scale);
+    const reach = reachOf(frame.radius_m, frame.scale);
     const grown = (sign: ShownText) =>
       still ? 1 : Math.min(1, Math.max(0, now - sign.since) / GROWING_MS);
     const isCelebrating = this.drawCelebration(ctx, frame, reach, now, still, colours);
@@ -65,7 +69,7 @@ export class RobotSigns {
     if (text) drawBubble(ctx, text.text, place, grown(text), colours);
     else if (beep) drawPlate(ctx, beep.text, place, colours);
     else if (frame.atRest && frame.livery?.name && !isCelebrating)
-      drawName(ctx, frame.livery.name, place, frame.nameAbove, colours);
+      drawName(ctx, frame.livery.name, place, frame.nameSide, colours);
     return isCelebrating;
   }
 

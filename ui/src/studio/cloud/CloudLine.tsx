@@ -24,7 +24,7 @@ export function CloudLine({ of, cases, onCase }: CloudLineProps) {
       aria-label={cloud.label}
       data-testid="cloud-line"
       data-state={of.isStale.value ? "stale" : isOver ? "over" : "under-way"}
-      data-good={now.end?.n_good ?? ""}
+      data-good={now.end?.good.length ?? ""}
       data-arrived={now.rows.length}
     >
       <Waypoints class="icon rigid" aria-hidden="true" />
@@ -35,7 +35,7 @@ export function CloudLine({ of, cases, onCase }: CloudLineProps) {
       <output class="visually-hidden">{of.isRunning.value ? "" : sentenceOf(of)}</output>
       <div class="column gap-1 rigid">
         <Cases of={of} cases={cases} onCase={onCase} />
-        {isOver && now.rows.length > 0 && <Robots of={of} rows={now.rows} />}
+        {isOver && now.rows.length > 0 && <Robots of={of} rows={of.rows.value} />}
       </div>
       <Button icon={X} tip={cloud.close} testId="cloud-close" onPress={() => of.close()} />
     </section>
@@ -66,8 +66,8 @@ function sentenceOf({ now, isStale }: CloudControl): string {
   if (!shown) return "";
   const { end, n, rows, before } = shown;
   if (!end) return cloud.arrived({ count: rows.length, all: n });
-  if (isStale.value) return cloud.changed({ good: end.n_good, all: rows.length });
-  const both = before === null ? "" : cloud.before({ good: before, now: end.n_good });
+  if (isStale.value) return cloud.changed({ good: end.good.length, all: rows.length });
+  const both = before === null ? "" : cloud.before({ good: before, now: end.good.length });
   return [end.text, both].filter(Boolean).join(" ");
 }
 
@@ -77,8 +77,8 @@ function Robots({ of, rows }: { of: CloudControl; rows: readonly CloudRow[] }) {
   const sorted = [...rows].sort(
     (one, other) => Number(one.well) - Number(other.well) || one.seed - other.seed,
   );
-  const nameOf = ({ seed, cause }: CloudRow) =>
-    cause ? `✕ ${cloud[cause]({ n: seed })}` : `● ${cloud.well({ n: seed })}`;
+  const nameOf = ({ seed, cause, well }: CloudRow) =>
+    well ? `● ${cloud.well({ n: seed })}` : `✕ ${cloud[cause ?? "apart"]({ n: seed })}`;
   return (
     <Select
       class="cloud-line__choice"

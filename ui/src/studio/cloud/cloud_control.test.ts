@@ -44,7 +44,7 @@ const event = (id: string, more: Partial<CloudProgressEvent>): CloudProgressEven
   n: 50,
   rows: [],
   is_over: false,
-  n_good: 0,
+  good: [],
   text: "",
   block: null,
   ...more,
@@ -72,7 +72,12 @@ async function started({ control, savedVersion }: ReturnType<typeof studioOf>): 
 
 function ended(id: string, n_good: number, block: string | null = null): void {
   newest.value = event(id, { rows: [row(2, false)] });
-  newest.value = event(id, { is_over: true, n_good, text: "1 bate.", block });
+  newest.value = event(id, {
+    is_over: true,
+    good: Array.from({ length: n_good }, (_, index) => index + 1),
+    text: "1 bate.",
+    block,
+  });
 }
 
 test("robots are added as they arrive, those of another cloud are not", async () => {
@@ -85,6 +90,16 @@ test("robots are added as they arrive, those of another cloud are not", async ()
   ended(id, 1);
   expect(studio.control.now.value?.rows.map(({ seed }) => seed)).toEqual([1, 2]);
   expect(studio.control.isRunning.value).toBe(false);
+  expect(studio.control.bundle.value?.paths.map(({ well }) => well)).toEqual([true, false]);
+});
+
+test("without a mission, one that reached its end far from the others gets a cross", async () => {
+  const studio = studioOf();
+  stop = studio.control.listen();
+  const id = await started(studio);
+  newest.value = event(id, { rows: [row(1), row(2)] });
+  expect(studio.control.rows.value.map(({ well }) => well)).toEqual([true, true]);
+  newest.value = event(id, { is_over: true, good: [1] });
   expect(studio.control.bundle.value?.paths.map(({ well }) => well)).toEqual([true, false]);
 });
 

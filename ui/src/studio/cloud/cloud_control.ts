@@ -53,10 +53,14 @@ export class CloudControl {
   readonly isStale = computed(
     () => this.now.value !== null && this.now.value.of !== this.subject(),
   );
+  /** The robots that have arrived; once the end tells which of them did it, by that. */
+  readonly rows = computed<readonly CloudRow[]>(() => {
+    const { rows = [], end } = this.now.value ?? {};
+    return end ? rows.map((row) => ({ ...row, well: end.good.includes(row.seed) })) : rows;
+  });
   readonly bundle = computed<Bundle | null>(() => {
-    const { value: now } = this.now;
-    if (!now || chosenRobot.value) return null;
-    const paths = now.rows.map(({ seed, well, path }) => ({ id: seed, well, path }));
+    if (!this.now.value || chosenRobot.value) return null;
+    const paths = this.rows.value.map(({ seed, well, path }) => ({ id: seed, well, path }));
     return { paths, isFaint: this.isStale.value };
   });
   /** What stopped most of the robots, at its block; null while it is unknown, or the program is changed. */
@@ -113,7 +117,7 @@ export class CloudControl {
       n: N_ROBOTS,
       rows: [],
       end: null,
-      before: last?.reads.case === number ? (last.end?.n_good ?? null) : null,
+      before: last?.reads.case === number ? (last.end?.good.length ?? null) : null,
       reads: { case: number, run_id: this.answered },
     };
     try {
