@@ -88,10 +88,11 @@ def opened(
     """Opens a window; yields its process, and the seconds until it had drawn the colours."""
     environment = os.environ | {"DISPLAY": shown.name, "PINEL_HOME": str(home)}
     environment |= {"PINEL_LANG": "pt-BR", "PYTHONDONTWRITEBYTECODE": ""}
-    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.DEVNULL}
     assert not shown.shows(colours)
     started = time.monotonic()
-    with subprocess.Popen(command, env=environment, **pipes) as process:
+    with subprocess.Popen(
+        command, env=environment, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL
+    ) as process:
         while not shown.shows(colours):
             assert process.poll() is None, "it has ended"
             assert time.monotonic() < started + _TIMEOUT_S, "it has drawn nothing"

@@ -5,7 +5,7 @@ import pytest
 from pinel_desktop.cloud.sentence import sentence_of
 from pinel_desktop.sweep import Row, summary_of, together
 
-DOCUMENT = {"commands": []}
+DOCUMENT: dict[str, list[object]] = {"commands": []}
 
 
 def rows(*passed: bool) -> list[Row]:

@@ -162,17 +162,17 @@ def test_what_was_learnt_from_a_folder_is_measured_on_it(
 ) -> None:
     # trains half as often; tests/gestures/test_training.py has what it counts
     monkeypatch.setattr(evaluation, "unknown_refused", lambda *_: {})
-    learnt_and_measured(tmp_path, SOURCES[:2])
+    trained_and_evaluated(tmp_path, SOURCES[:2])
 
 
 @pytest.mark.nightly
 @pytest.mark.timeout(400)  # trains 24 times
 def test_what_was_learnt_from_all_sources_is_measured_on_it(tmp_path: Path) -> None:
-    report = learnt_and_measured(tmp_path, SOURCES)
+    report = trained_and_evaluated(tmp_path, SOURCES)
     assert set(report["strict"]["unknown_letter_refused"]["by_letter"]) == set(LETTERS)
 
 
-def learnt_and_measured(tmp_path: Path, sources: Sequence[str]) -> dict[str, Any]:
+def trained_and_evaluated(tmp_path: Path, sources: Sequence[str]) -> dict[str, Any]:
     table = make_photos(tmp_path, sources=sources)
     recordings, trained = tmp_path / "recordings.npz", tmp_path / "letters.npz"
     folder = (str(tmp_path), "--recordings", str(recordings))

@@ -30,7 +30,7 @@ _MOUNTS = {
 def notice_of(database: Path) -> str | None:
     with open_database(database) as store:
         assert store.writable
-        return store.notice and store.notice.code
+        return store.notice.code if store.notice else None
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="mounts of Linux")
