@@ -84,7 +84,7 @@ def test_a_set_up_is_there_after_a_restart_and_can_be_undone(
         ({"max_v_mps": 9}, ["“9”", "“Highest speed (m/s)”", "0.05 to 1.2"]),
         ({"max_v_mps": "x"}, ["“x”", "“Highest speed (m/s)”", "0.05 to 1.2"]),
         ({"room": {"width_m": 0.5}}, ["“0.5”", "“Width of the free floor (m)”", "1 to 50"]),
-        ({"host": "a b"}, ["“a b”", "“Address at which this PC listens”"]),
+        ({"host": "a b"}, ["“a b”", "“Address of this PC”"]),
         ({"colour": "red"}, ["“red”", "“colour”"]),
         ({"room": 3}, ["“3”", "“room”"]),
         ({"room": {"x_m": 9}}, ["start"]),
