@@ -41,14 +41,14 @@ def open_database(database: Path) -> Store:
         store = open_store(database, close_interrupted=True)
         restrict_permissions(database, is_own_folder=is_in_default_folder(database))
         record_location(database)
-        if store.notice is None and not _is_lasting(database):
+        if store.notice is None and not is_lasting(database):
             store.notice = Notice("database_not_lasting", {"folder": str(database.parent)})
         return store
     except StoreError as error:
         return Store.without_file(database, error)
 
 
-def _is_lasting(database: Path) -> bool:
+def is_lasting(database: Path) -> bool:
     """Returns False for a database that is lost when the PC ends. Who chose a temporary folder knows that."""
     if is_in_default_folder(database):
         return not (Settings.beside(database)[RESETS] or is_in_memory(database.parent))

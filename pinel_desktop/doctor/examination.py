@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Literal
 
 from pinel_desktop import __version__
+from pinel_desktop.app_database import is_lasting
 from pinel_desktop.camera.client import CameraClient, CameraState
 from pinel_desktop.database_locations import is_location_missing
 from pinel_desktop.desktop.backends import (
@@ -71,6 +72,7 @@ def examine(database: Path, pc: Pc | None = None) -> Iterator[HealthCheckResult]
     yield from _window(pc or Pc())
     yield _engine()
     yield from _disk(database.parent)
+    yield from _forgetful_disk(database)
     yield _sqlite()
     yield _database(database)
     yield from _damaged_copies(database)
@@ -171,6 +173,12 @@ def _disk(folder: Path) -> Iterator[HealthCheckResult]:
         )
     if not os.access(folder, os.W_OK):
         yield HealthCheckResult("disk", "fail", "doctor_folder_closed", {"folder": str(folder)})
+
+
+def _forgetful_disk(database: Path) -> Iterator[HealthCheckResult]:
+    if not is_lasting(database):
+        about = {"folder": str(database.parent)}
+        yield HealthCheckResult("disk", "warn", "doctor_disk_not_lasting", about)
 
 
 def _sqlite(version: str = sqlite3.sqlite_version) -> HealthCheckResult:

@@ -12,6 +12,7 @@ import pytest
 from pinel_desktop import app_database
 from pinel_desktop.app import App
 from pinel_desktop.app_database import open_database
+from pinel_desktop.doctor import examination
 from pinel_desktop.settings import RESETS, Settings
 from tests.web.browser import Browser
 from tests.web.fake_engine import FakeEngine
@@ -72,6 +73,8 @@ def test_a_pc_of_which_the_technician_said_so_is_reported_where_its_work_is_lost
         assert notice_of(database) is None
         Settings.beside(database).choose(RESETS, "1")
     assert [notice_of(database) for database in places] == ["database_not_lasting", None]
+    said = [[one.code for one in examination._forgetful_disk(database)] for database in places]
+    assert said == [["doctor_disk_not_lasting"], []]
 
 
 def test_a_chosen_folder_in_memory_is_reported_unless_it_is_for_temporary_files(
