@@ -114,7 +114,7 @@ interface ButtonsProps {
 function Buttons({ busy, canSave, onClose, onRemove }: ButtonsProps) {
   const { truth: words } = texts.value;
   return (
-    <div class="tape__buttons row gap-2">
+    <div class="tape__buttons row wrap gap-2">
       <Button submit kind="main" icon={Check} testId="tape-save" busy={busy} disabled={!canSave}>
         {words.save}
       </Button>
