@@ -23,6 +23,10 @@ export const EDGE_WITH_TOOLS: Edge = { ...EDGE, right: 66 };
 /** The same with space at the top for the controls over the floor of the studio. */
 export const EDGE_WITH_CONTROLS: Edge = { ...EDGE_WITH_TOOLS, top: EDGE.top + 54 };
 
+/** Up to this height the tools are side by side, so one more of them is beside the floor; see `scene.css`. */
+const SIDE_BY_SIDE_PX = 344;
+const TOOL_PX = 44;
+
 /** Margins without rulers. */
 const BARE_EDGE: Edge = { left: 6, right: 6, top: 6, bottom: 6 };
 
@@ -44,7 +48,9 @@ export function marginsOf(
 ): Edge {
   if (magnification === 1 && isAsked) return EDGE;
   if (magnification !== 1) return hasRulers(magnification, size) ? EDGE : BARE_EDGE;
-  return hasControls && size.height > LOW_PX ? EDGE_WITH_CONTROLS : EDGE_WITH_TOOLS;
+  if (!hasControls || size.height <= LOW_PX) return EDGE_WITH_TOOLS;
+  if (size.height > SIDE_BY_SIDE_PX) return EDGE_WITH_CONTROLS;
+  return { ...EDGE_WITH_CONTROLS, right: EDGE_WITH_CONTROLS.right + TOOL_PX };
 }
 
 const MIN_SCALE = 12;
