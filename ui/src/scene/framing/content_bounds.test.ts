@@ -4,7 +4,14 @@ import { IDLE, type RunView } from "../../run/reducer";
 import { EMPTY_TRAIL, extend } from "../../run/trail";
 import { startOf, toStart, toWorld } from "../frames";
 import { contentBounds } from "./content_bounds";
-import { EDGE, EDGE_WITH_CONTROLS, EDGE_WITH_TOOLS, toScreen, viewportFor } from "./viewport";
+import {
+  EDGE,
+  EDGE_WITH_CONTROLS,
+  EDGE_WITH_TOOLS,
+  marginsOf,
+  toScreen,
+  viewportFor,
+} from "./viewport";
 
 const world = (over: Partial<World> = {}): World => ({
   pinel_world: 1,
@@ -132,4 +139,10 @@ test("a room as high as the floor ends below the controls, which must not cover 
   const room = { left: -4, right: 4, bottom: -4, top: 4 };
   const viewport = viewportFor(room, size, EDGE_WITH_CONTROLS);
   expect(toScreen(viewport, size, { x: 0, y: 4 }).y).toBeGreaterThanOrEqual(66);
+});
+
+test("on a low floor, where the tools are side by side, a path ends beside both", () => {
+  const right = (height: number) => marginsOf({ width: 313, height }, 1, true).right;
+  expect(right(345)).toBe(EDGE_WITH_TOOLS.right);
+  expect(right(344)).toBe(EDGE_WITH_TOOLS.right + 44);
 });

@@ -20,12 +20,12 @@ export const EDGE: Edge = { left: 34, right: 14, top: 14, bottom: 28 };
 /** `EDGE` with space on the right for the tools over the floor, which must not hide a goal. */
 export const EDGE_WITH_TOOLS: Edge = { ...EDGE, right: 66 };
 
-/** At this height and below, the tools are side by side; see `scene.css`. */
-const TOOLS_ASIDE_PX = 344;
-const EDGE_WITH_TOOLS_ASIDE: Edge = { ...EDGE, right: 110 };
-
 /** `EDGE_WITH_TOOLS` with space at the top for the controls over the floor of the studio. */
 export const EDGE_WITH_CONTROLS: Edge = { ...EDGE_WITH_TOOLS, top: EDGE.top + 54 };
+
+/** Up to this height the tools are in two columns; see `scene.css`. */
+const TWO_COLUMNS_PX = 344;
+const COLUMN_PX = 44;
 
 /** Margins without rulers. */
 const BARE_EDGE: Edge = { left: 6, right: 6, top: 6, bottom: 6 };
@@ -48,8 +48,9 @@ export function marginsOf(
 ): Edge {
   if (magnification === 1 && isAsked) return EDGE;
   if (magnification !== 1) return hasRulers(magnification, size) ? EDGE : BARE_EDGE;
-  if (hasControls) return size.height > LOW_PX ? EDGE_WITH_CONTROLS : EDGE_WITH_TOOLS;
-  return size.height > TOOLS_ASIDE_PX ? EDGE_WITH_TOOLS : EDGE_WITH_TOOLS_ASIDE;
+  if (hasControls && size.height <= LOW_PX) return EDGE_WITH_TOOLS;
+  const edge = hasControls ? EDGE_WITH_CONTROLS : EDGE_WITH_TOOLS;
+  return size.height > TWO_COLUMNS_PX ? edge : { ...edge, right: edge.right + COLUMN_PX };
 }
 
 const MIN_SCALE = 12;

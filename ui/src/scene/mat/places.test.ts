@@ -2,6 +2,7 @@ import { describe, expect, test } from "vitest";
 import furnished from "../../../../sim/worlds/furnished_room.json";
 import neighbourhood from "../../../../sim/worlds/neighbourhood.json";
 import type { World } from "../../api/model";
+import { setLanguage } from "../../i18n";
 import { areaOf } from "../areas";
 import { hasPlateBelow, inkOn, isPictured, plateOf, platesOf } from "./places";
 
@@ -61,9 +62,7 @@ describe("a place has a pictogram", () => {
 test("all names of the town are shown on a floor of usual size; on a tiny one none lies on another", () => {
   const pictured = TOWN.zones.filter((zone) => isPictured(TOWN, zone));
   const shownAt = (letters: number) =>
-    platesOf(TOWN, ({ name }) => 0.7 * name.length * letters, 1.4 * letters).map(
-      ({ plate }) => plate,
-    );
+    platesOf(TOWN, (text) => 0.7 * text.length * letters, 1.4 * letters).map(({ plate }) => plate);
   expect(shownAt(0.2)).toHaveLength(pictured.length);
   const tiny = shownAt(1.2);
   expect(tiny.length).toBeGreaterThan(0);
@@ -78,6 +77,17 @@ test("all names of the town are shown on a floor of usual size; on a tiny one no
 
 test("a long name goes to another side of its field rather than be left out", () => {
   const room = { title: "", ...furnished } as unknown as World;
-  const long = platesOf(room, ({ name }) => 0.12 * `${name} · living room`.length, 0.28);
+  const long = platesOf(room, (text) => 0.12 * `${text} · living room`.length, 0.28);
   expect(long.map(({ zone }) => zone.name)).toEqual(room.zones.map(({ name }) => name));
+});
+
+test("on a small floor a name goes without its translation", async () => {
+  await setLanguage("en");
+  const shownAt = (letters: number) =>
+    platesOf(TOWN, (text) => (0.5 * text.length + 0.9) * letters, 1.4 * letters).map(
+      ({ text }) => text,
+    );
+  expect(shownAt(0.2)).toContain("padaria · bakery");
+  expect(shownAt(0.5)).toContain("padaria");
+  await setLanguage("pt-BR");
 });

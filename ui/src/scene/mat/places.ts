@@ -49,9 +49,9 @@ export function drawPlates(ctx: Ctx, world: World, colours: Colours, pixel: numb
   const letters = lettersAt(pixel);
   ctx.save();
   ctx.font = `700 100px ${colours.font}`;
-  const widthOf = (zone: Zone) => (ctx.measureText(textOf(zone)).width / 100 + 0.9) * letters;
-  for (const { zone, plate } of platesOf(world, widthOf, 1.4 * letters)) {
-    drawPlate(ctx, textOf(zone), plate, letters, colours, pixel);
+  const widthOf = (text: string) => (ctx.measureText(text).width / 100 + 0.9) * letters;
+  for (const { text, plate } of platesOf(world, widthOf, 1.4 * letters)) {
+    drawPlate(ctx, text, plate, letters, colours, pixel);
   }
   ctx.restore();
 }
@@ -66,27 +66,42 @@ interface Plate {
   readonly depth: number;
 }
 
-/** The plates that fit: on a small floor a name that would lie on others wherever it lies is left out. Its pictogram stays. */
+/** A name on its plate. */
+interface NamedPlate {
+  readonly zone: Zone;
+  readonly text: string;
+  readonly plate: Plate;
+}
+
+/**
+ * The plates that fit: on a small floor a name goes without its translation; one that would lie on others wherever it
+ * lies is left out. Its pictogram stays.
+ */
 export function platesOf(
   world: World,
-  widthOf: (zone: Zone) => number,
+  widthOf: (text: string) => number,
   depth: number,
-): { readonly zone: Zone; readonly plate: Plate }[] {
-  const placed: { zone: Zone; plate: Plate }[] = [];
+): NamedPlate[] {
+  const placed: NamedPlate[] = [];
   for (const zone of world.zones ?? []) {
     if (!isPictured(world, zone)) continue;
-    const plate = platesFor(world, zone, widthOf(zone), depth).find(
-      (one, rank) =>
-        (rank === 0 || isInside(world, one)) && !placed.some((other) => overlap(one, other.plate)),
+    const candidates = textsOf(zone).flatMap((text) =>
+      platesFor(world, zone, widthOf(text), depth)
+        .filter((plate, rank) => rank === 0 || isInside(world, plate))
+        .map((plate) => ({ zone, text, plate })),
     );
-    if (plate) placed.push({ zone, plate });
+    const found = candidates.find(
+      ({ plate }) => !placed.some((other) => overlap(plate, other.plate)),
+    );
+    if (found) placed.push(found);
   }
   return placed;
 }
 
-function textOf({ name }: Zone): string {
+/** The name with its translation, if it has one, then the name alone. */
+function textsOf({ name }: Zone): string[] {
   const translation = translationOf(name);
-  return translation ? `${name} · ${translation}` : name;
+  return translation ? [`${name} · ${translation}`, name] : [name];
 }
 
 function drawPlate(
