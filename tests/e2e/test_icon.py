@@ -2,9 +2,12 @@
 
 import base64
 
+import pytest
 from playwright.sync_api import Browser
 
 from tests.packaging.loading import ROOT
+
+pytestmark = pytest.mark.e2e
 
 PUBLIC = ROOT / "ui" / "public"
 MEAN_DIFFERENCE = """async (addresses) => {

@@ -16,6 +16,8 @@ from tests.e2e.axe import violations
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 
+pytestmark = pytest.mark.e2e
+
 PIN = "2718"
 
 

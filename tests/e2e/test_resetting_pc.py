@@ -13,6 +13,8 @@ from tests.e2e.test_kiosk import KioskPc, studio
 
 __all__ = ["studio"]  # a fixture
 
+pytestmark = pytest.mark.e2e
+
 
 @pytest.fixture
 def pc(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[KioskPc]:
