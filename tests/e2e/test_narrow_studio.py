@@ -87,12 +87,3 @@ def test_a_bubble_moves_with_the_edge_of_a_narrower_window(studio: Studio) -> No
     resize(studio, SIZES[-1])
     edge = box_of(studio["splitter"])["x"]
     studio.eventually(lambda: box_of(bubble)["x"] + box_of(bubble)["width"] < edge, True)
-
-
-def test_at_a_zoom_of_200_percent_a_program_opens_as_wide_as_its_place(studio: Studio) -> None:
-    enter_made_group(studio, PATH)
-    resize(studio, SIZES[0])
-    studio.page.reload()
-    studio.wait_for_screen("editor")
-    block = box_of(studio.blocks.by_text("girar à esquerda"))
-    assert block["x"] + block["width"] < box_of(studio["splitter"])["x"]
