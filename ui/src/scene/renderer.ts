@@ -1,6 +1,6 @@
 import type { Robot, World } from "../api/model";
 import { IDLE, isLive, type Pose, type RunView } from "../run/reducer";
-import type { Point } from "../run/trail";
+import { type Point, points } from "../run/trail";
 import { BoxInterpolator } from "./box_interpolator";
 import { type Bundle, type BundlePath, drawBundle, pathAt } from "./bundle/bundle";
 import { type Colours, readColours } from "./colours";
@@ -15,7 +15,7 @@ import { hasPlateBelow } from "./mat/places";
 import { drawRanges, type Measurements } from "./ranges_view";
 import { drawBelief, drawKnob, drawRobot } from "./robot";
 import { type CacheInput, SceneCache } from "./scene_cache";
-import type { NameSide } from "./signs/bubble_view";
+import type { NameSide, RobotPlace } from "./signs/bubble_view";
 import { sideOfName } from "./signs/name_side";
 import { RobotSigns, reachOf } from "./signs/robot_signs";
 
@@ -324,28 +324,25 @@ export class SceneRenderer {
   ): boolean {
     const { livery } = this;
     const { scale } = viewport;
-    const start = startOf(world);
-    const place = toWorld(start, pose.x, pose.y);
+    const robotAt = toWorld(startOf(world), pose.x, pose.y);
+    const at = toScreen(viewport, size, robotAt);
     const radius_m = robot?.radius_m ?? 0;
     const atRest = robot !== null && !isLive(view);
-    const frame = {
-      at: toScreen(viewport, size, place),
-      size,
-      radius_m,
-      scale,
-      nameSide: atRest ? this.nameSide(place, reachOf(radius_m, scale), scale) : "below",
-      livery,
-      atRest,
-    };
+    const place = { at, size, reach: reachOf(radius_m, scale) };
+    const nameSide = atRest ? this.nameSide(robotAt, place, viewport) : "below";
+    const frame = { at, size, radius_m, scale, nameSide, livery, atRest };
     return this.signs.draw(ctx, frame, now, this.still(), colours);
   }
 
   /** The side for the robot's name that its path and the name of its place leave free. */
-  private nameSide(place: XY, reach: number, scale: number): NameSide {
+  private nameSide(robotAt: XY, place: RobotPlace, viewport: Viewport): NameSide {
     const { world, view } = this;
-    const hasPlate = world !== null && hasPlateBelow(world, place, 1 / scale);
-    const sides: NameSide[] = hasPlate ? ["above"] : ["below", "above", "left", "right"];
-    return sideOfName(view.path, startOf(world), place, reach, scale, sides);
+    const start = startOf(world);
+    const path = Array.from(points(view.path), ([x, y]) =>
+      toScreen(viewport, place.size, toWorld(start, x, y)),
+    );
+    const hasPlate = world !== null && hasPlateBelow(world, robotAt, 1 / viewport.scale);
+    return sideOfName(path, place, hasPlate ? ["above"] : undefined);
   }
 
   private drawRobot(

@@ -1,32 +1,38 @@
 import { expect, test } from "vitest";
-import { EMPTY_TRAIL, extend, type Point } from "../../run/trail";
+import type { XY } from "../frames";
 import { sideOfName } from "./name_side";
 
-const [SCALE, REACH] = [50, 16];
-const AT = { x: 0, y: 0 };
-const EAST = { x: 0, y: 0, yaw: 0 };
+const SIZE = { width: 800, height: 600 };
+const AT = { x: 400, y: 300 };
 
-/** The side of the name of a robot that came straight from some points. */
-function side(from: readonly Point[], start = EAST): string {
-  let trail = EMPTY_TRAIL;
-  for (const [x, y] of from)
-    for (let part = 100; part >= 0; part--)
-      trail = extend(trail, [(x * part) / 100, (y * part) / 100]);
-  return sideOfName(trail, start, AT, REACH, SCALE);
-}
+/** Points of the straight lines from a place to others. */
+const lines = (from: XY, ...ends: readonly XY[]): XY[] =>
+  ends.flatMap(({ x, y }) =>
+    Array.from({ length: 101 }, (_, n) => ({
+      x: from.x + ((x - from.x) * n) / 100,
+      y: from.y + ((y - from.y) * n) / 100,
+    })),
+  );
+
+const side = (path: readonly XY[], at = AT, size = SIZE) =>
+  sideOfName(path, { at, reach: 16, size });
 
 test("a name is where the path is not, first of all below", () => {
+  const [left, down, up] = [
+    { x: 300, y: 300 },
+    { x: 400, y: 400 },
+    { x: 400, y: 200 },
+  ] as const;
   expect(side([])).toBe("below");
-  expect(side([[-2, 0]])).toBe("below");
-  expect(side([[0, -2]])).toBe("above");
-  const cross: Point[] = [
-    [0, -2],
-    [0, 2],
-  ];
-  expect(side(cross)).toBe("left");
-  expect(side([...cross, [-2, 0]])).toBe("right");
+  expect(side(lines(AT, left))).toBe("below");
+  expect(side(lines(AT, down))).toBe("above");
+  expect(side(lines(AT, down, up))).toBe("left");
+  expect(side(lines(AT, down, up, left))).toBe("right");
 });
 
-test("the path is turned as its start is", () => {
-  expect(side([[-2, 0]], { ...EAST, yaw: Math.PI / 2 })).toBe("above");
+test("on a narrow floor without room beside the robot the name covers less of the path above it than below", () => {
+  const size = { width: 316, height: 366 };
+  const at = { x: 128, y: 180 };
+  const bottom = lines({ x: 142, y: 204 }, { x: 194, y: 204 });
+  expect(side([...bottom, ...lines(at, { x: 150, y: 130 })], at, size)).toBe("above");
 });
