@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from pinel_desktop.desktop.screen import virtual_screen
+from tests.desktop.window_manager import window_manager
 from tests.in_time import in_time
 
 pytestmark = pytest.mark.e2e
@@ -61,16 +62,8 @@ class Desktop:
 
 @pytest.fixture(scope="module")
 def screen() -> Iterator[str]:
-    with (
-        virtual_screen() as display,
-        subprocess.Popen(
-            # without a window manager nothing is minimised, nothing comes forward, and Alt+F4 is two keys
-            ["openbox"],
-            env=os.environ | {"DISPLAY": display},
-        ) as manager,
-    ):
+    with virtual_screen() as display, window_manager(display):
         yield display
-        manager.terminate()
 
 
 @pytest.fixture

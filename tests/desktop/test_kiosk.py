@@ -19,6 +19,7 @@ from pinel_desktop.desktop.screen import virtual_screen
 from pinel_desktop.desktop.self_check import MISSION, SQUARE
 from pinel_desktop.errors import PinelError
 from pinel_desktop.instance import RunningInstance
+from tests.desktop.window_manager import window_manager
 from tests.web.browser import Browser
 
 pytestmark = pytest.mark.e2e
@@ -30,13 +31,8 @@ _SETTLED_S = 5.0
 @pytest.fixture(scope="module")
 def screen() -> Iterator[str]:
     """A virtual screen with a window manager and its usual keys, such as Alt+F4 and Super+D."""
-    with virtual_screen() as display:
-        manager = subprocess.Popen(
-            ["openbox"], env=os.environ | {"DISPLAY": display}, stderr=subprocess.DEVNULL
-        )
+    with virtual_screen() as display, window_manager(display):
         yield display
-        manager.terminate()
-        manager.wait(10)
 
 
 class Kiosk:

@@ -13,6 +13,7 @@ import pytest
 
 from pinel_desktop.desktop.policy import second_screen
 from pinel_desktop.desktop.screen import virtual_screen
+from tests.desktop.window_manager import window_manager
 
 WIDTH, HEIGHT = 1024, 768
 ROOT = Path(__file__).parents[2]
@@ -47,11 +48,8 @@ def test_the_second_screen_is_one_that_the_first_window_is_not_on(
 
 @pytest.fixture(scope="module")
 def screen() -> Iterator[str]:
-    with virtual_screen(WIDTH, HEIGHT) as display:
-        window_manager = subprocess.Popen(["openbox"], env=os.environ | {"DISPLAY": display})
+    with virtual_screen(WIDTH, HEIGHT) as display, window_manager(display):
         yield display
-        window_manager.terminate()
-        window_manager.wait(10)
 
 
 def probe(screen: str, *options: str) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 """The folder of the database is unreachable: the page reports it, and a person chooses."""
 
+import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -45,4 +46,6 @@ def test_a_folder_that_is_away_is_named_and_a_person_may_begin_empty(
     app.start()
     again = open_studio()
     again.enter_group("Os Tatus")
-    expect(again["notice"]).to_have_count(0)
+    # that the tests' disk is in memory may still be said
+    about_the_folder = re.compile("não está aqui|vai começar vazio")
+    expect(again["notice"].filter(has_text=about_the_folder)).to_have_count(0)
