@@ -1,4 +1,4 @@
-"""Start of the package beside the source folder, which bench_startup compares with a bare window; memory beside such one.
+"""Start of the package beside the source folder, which bench_startup compares with a bare window; memory beside one.
 
 The program is dist/pinel-desktop/pinel, or the one that PINEL_PACKAGE names, such as an installed /usr/bin/pinel.
 It has nothing that helps to measure. So a start is over when the screen shows the block, and ours the Run button, in
