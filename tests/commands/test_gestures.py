@@ -157,7 +157,7 @@ def test_a_missing_network_is_said_in_words(
     assert "make setup" in done.stderr
 
 
-def test_what_was_learnt_from_a_folder_is_measured_on_it(
+def test_letters_trained_from_a_folder_are_evaluated_by_source(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # trains half as often; tests/gestures/test_training.py has what it counts
@@ -167,7 +167,7 @@ def test_what_was_learnt_from_a_folder_is_measured_on_it(
 
 @pytest.mark.nightly
 @pytest.mark.timeout(400)  # trains 24 times
-def test_what_was_learnt_from_all_sources_is_measured_on_it(tmp_path: Path) -> None:
+def test_letters_trained_from_all_sources_are_evaluated_by_source(tmp_path: Path) -> None:
     report = trained_and_evaluated(tmp_path, SOURCES)
     assert set(report["strict"]["unknown_letter_refused"]["by_letter"]) == set(LETTERS)
 

@@ -29,7 +29,7 @@ def pc(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[KioskPc]:
     pc.app.close()
 
 
-def test_a_group_is_told_and_takes_all_its_work_along(studio: Studio, pc: KioskPc) -> None:
+def test_a_group_gets_a_notice_and_exports_all_its_work(studio: Studio, pc: KioskPc) -> None:
     expect(studio["notice"]).to_contain_text("Este computador esquece tudo")
     expect(studio["group-file"]).to_have_count(0)  # nobody's work is open
     studio.enter_new_group("Os Tatus")

@@ -129,7 +129,7 @@ def test_a_hand_between_two_letters_is_of_one_source_and_shows_nothing(
     assert 5 <= len(between.signs) <= 20
 
 
-def test_the_report_of_unseen_people_has_every_figure(narrow: PhotoFeatures) -> None:
+def test_the_report_of_held_out_people_has_every_figure(narrow: PhotoFeatures) -> None:
     report = evaluation.evaluate_unseen(narrow)
     for part in (report["leave_one_source_out"], report["strict"]):
         assert part["accuracy"]["of"] == sum(share["of"] for share in part["by_source"].values())
