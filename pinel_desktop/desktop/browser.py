@@ -79,6 +79,8 @@ class BrowserWindow:
         with subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         ) as self._process:
+            if self._closed.is_set():  # `close` was called before there was a process to end
+                self._process.terminate()
             try:
                 status = self._process.wait(_SHORT_LIFE_S)
             except subprocess.TimeoutExpired:

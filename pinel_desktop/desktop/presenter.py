@@ -135,13 +135,19 @@ class Presenter:
             on_open=self._on_open,
             kiosk=self._kiosk,
         )
-        self._window = window
+        self._use(window)
         window.run(toolkit)
 
     def _show_in_browser(self) -> None:
         window = BrowserWindow(self._fresh_address, self._pc)
-        self._window = window
+        self._use(window)
         window.run()
+
+    def _use(self, window: OpenWindow) -> None:
+        """Makes it the window that `close` closes, also if `close` was called a moment ago."""
+        self._window = window
+        if self._closed.is_set():
+            window.close()
 
     def _give_address(self) -> None:
         """Prints the address for the person to open, as the last fallback; returns only after `close`."""

@@ -148,6 +148,24 @@ def test_closing_ends_the_browser(
     assert not running.is_alive()
 
 
+def test_closing_while_the_browser_starts_ends_it(printed: PrintedLines, tmp_path: Path) -> None:
+    def address() -> str:
+        presenter.close()
+        return "http://127.0.0.1:1/?key=1"
+
+    presenter = Presenter(
+        address,
+        lambda: "en",
+        print_text=printed.add,
+        give=printed.add,
+        pc=pc_without_gtk(fake_browser(tmp_path, "exec sleep 600")),
+    )
+    running = threading.Thread(target=presenter.run, daemon=True)
+    running.start()
+    running.join(10)
+    assert not running.is_alive()
+
+
 @pytest.mark.parametrize("language", ["pt-BR", "en", "es"])
 def test_every_failure_has_a_remedy_in_every_language(language: str) -> None:
     for code in (

@@ -80,6 +80,7 @@ def test_a_pc_of_which_the_technician_said_so_is_reported_where_its_work_is_lost
 def test_a_chosen_folder_in_memory_is_reported_unless_it_is_for_temporary_files(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "home"))  # has the list of locations
     monkeypatch.setattr(app_database, "is_in_memory", lambda folder: True)
     assert notice_of(tmp_path / "pinel.db") is None
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "temporary"))
