@@ -124,6 +124,8 @@ class EngineClient:
                 at the first block.
             inputs: what the program reads; None if a person gives it.
         """
+        if self.state == "lost":
+            self.start()
         if self.state == "starting":
             self.wait_until_ready(_READY_S)
         with self._lock:
@@ -131,8 +133,6 @@ class EngineClient:
                 raise PinelError("run_in_progress")
             if time.monotonic() - self._held_s < _HELD_S:
                 raise PinelError("robot_held_by_keys")
-            if self.state == "lost":  # restarts the engine for the next press of Run
-                self.start()
             if self.state != "ready":
                 raise PinelError("engine_not_ready")
             first = [dict(command) for command in commands]

@@ -63,9 +63,13 @@ class AppProcess:
 
     def freeze_engine(self) -> None:
         """Suspends the engine's process, as a hang does."""
-        for child in psutil.Process(self.pid).children():
-            if child.cmdline()[-1] == "engine":
-                child.suspend()
+        for engine in self._engines():
+            engine.suspend()
+
+    def kill_engine(self) -> None:
+        """Kills the engine's process, as a crash does."""
+        for engine in self._engines():
+            engine.kill()
 
     def kill(self) -> None:
         """Kills the process, as a power cut does."""
@@ -76,6 +80,10 @@ class AppProcess:
 
     def log(self) -> str:
         return (self._home / "serve.log").read_text("utf-8")
+
+    def _engines(self) -> list[psutil.Process]:
+        children = psutil.Process(self.pid).children()
+        return [one for one in children if one.is_running() and one.cmdline()[-1:] == ["engine"]]
 
     def _stop(self, number: signal.Signals) -> None:
         process, self._process = self._process, None

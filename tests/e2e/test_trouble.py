@@ -11,6 +11,7 @@ from pinel_desktop.app import App
 from storage.file.backups import make_backup
 from tests.e2e.app_process import AppProcess
 from tests.e2e.conftest import OpenStudio
+from tests.e2e.made_program import enter_made_group
 from tests.e2e.studio import Studio
 from tests.e2e.watch import Watch
 from tests.web.fake_engine import FakeEngine
@@ -58,13 +59,27 @@ def test_a_frozen_engine_is_said_and_the_next_run_works(
     # the end of the run removes the message about the unconfirmed Stop
     expect(studio["problem"]).to_have_count(0)
     expect(studio["status-line"]).to_contain_text("foi ligado de novo")
-    # until the next engine is ready, Run may become disabled while it is pressed
-    studio.eventually(lambda: studio.api("/status")["engine"], "ready")
     studio.wait_for_screen("scene")
     studio.run()
     studio.wait_for_phase("running")
     studio["stop"].click()
     studio.wait_for_phase("stopped")
+
+
+def test_run_starts_an_engine_that_was_given_up(studio: Studio, app: AppProcess) -> None:
+    enter_made_group(studio, [("move_forward", 0.1)])
+
+    def state_after_another_crash() -> str:
+        app.kill_engine()
+        state: str = studio.api("/status")["engine"]
+        return state
+
+    studio.eventually(state_after_another_crash, "lost")
+    studio.page.reload()
+    expect(studio["status-line"]).to_contain_text("Apertem Rodar para ligá-la de novo")
+    studio.run()
+    studio.wait_for_phase("finished")
+    expect(studio["status-line"]).not_to_contain_text("ligá-la")
 
 
 def test_a_disk_that_fills_up_is_said_and_the_line_goes_by_itself_when_there_is_room(

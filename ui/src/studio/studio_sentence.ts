@@ -32,8 +32,8 @@ export function beforeRunSentence(
 export function serverSentence(): Sentence | null {
   const { status, trouble } = texts.value;
   if (connection.value === "gone") return calm(trouble.goneTitle);
-  if (connection.value !== "open" || engine.value === "ready") return null;
-  return calm(engine.value === "lost" ? status.engineLost : status.engineStarting);
+  const isLost = connection.value === "open" && engine.value === "lost";
+  return isLost ? notice(status.engineLost) : null;
 }
 
 /** Adds advice to return a real robot: it stays where its run ended, but the next run begins at the start. */

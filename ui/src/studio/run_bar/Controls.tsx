@@ -4,7 +4,7 @@ import { listen } from "../../kit/listen";
 import * as robot from "../../run/live";
 import { isLive } from "../../run/reducer";
 import { level } from "../../shell/level";
-import { connection, engine } from "../../shell/session";
+import { connection } from "../../shell/session";
 import type { StudioControl } from "../studio_control";
 import { actionFor, type RunState, STOP } from "./actions";
 import { DebugBar } from "./DebugBar";
@@ -25,10 +25,10 @@ export function Controls({ control }: { control: StudioControl }) {
 function stateOf(control: StudioControl): RunState {
   const { phase, run, output } = robot.live.value;
   const isOther = isLive(robot.live.value) && !control.mine.value;
-  const ready = engine.value === "ready" && connection.value === "open";
   return {
     phase: isOther && run ? "idle" : phase,
-    unable: (isOther && phase !== "starting") || !ready,
+    // the server waits for an engine that starts, and starts a lost one
+    unable: (isOther && phase !== "starting") || connection.value !== "open",
     inFunction: output.calls.length > 0,
     stepwise: level.value > 1,
   };
