@@ -1,4 +1,4 @@
-"""Start of the package beside the source folder, which bench_startup compares with a bare window; memory beside one.
+"""Start and memory of the package beside a bare pywebview window, and its start beside the source folder.
 
 The program is dist/pinel-desktop/pinel, or the one that PINEL_PACKAGE names, such as an installed /usr/bin/pinel.
 It has nothing that helps to measure. So a start is over when the screen shows the block, and ours the Run button, in
@@ -27,6 +27,7 @@ from tests.benchmarks.bench_memory import REST_S as IDLE_AFTER_S
 from tests.benchmarks.bench_startup import (
     BARE_PAGE,
     HERE,
+    MAX_RATIO,
     REST_S,
     ROOT,
     build_bare_page,
@@ -112,30 +113,34 @@ def ours(database: Path, program: str) -> tuple[str, ...]:
     return (PACKAGE, "--db", str(database), "kiosk", "--reason", "command", "--place", place)
 
 
-def text_of_seconds(times: list[float]) -> str:
-    return f"{statistics.median(times):.2f} s ({min(times):.2f} to {max(times):.2f})"
-
-
-def test_the_package_starts_in_at_most_1_1_times_the_time_of_the_source_folder(
-    tmp_path: Path,
-) -> None:
+def test_the_package_starts_in_at_most_1_3_times_the_time_of_a_bare_window(tmp_path: Path) -> None:
+    build_bare_page()
     database = tmp_path / DATABASE_NAME
     arguments = ours(database, make_database(database))[1:]
-    both = ((*_SOURCE, *arguments), (PACKAGE, *arguments))
-    times: tuple[list[float], list[float]] = ([], [])
+    windows = {
+        "bare window": (_BLOCK, _BARE),
+        "source folder": (_BLOCK | _RUN, (*_SOURCE, *arguments)),
+        "package": (_BLOCK | _RUN, (PACKAGE, *arguments)),
+    }
+    times: dict[str, list[float]] = {name: [] for name in windows}
     with screen(tmp_path) as shown:
-        for pair in range(N_STARTS + 1):
-            for which in (0, 1) if pair % 2 else (1, 0):
+        for one in range(N_STARTS + 1):
+            for name in sorted(windows, reverse=one % 2 == 0):
                 time.sleep(REST_S)
-                with opened(shown, tmp_path, _BLOCK | _RUN, *both[which]) as (_, seconds):
-                    times[which].append(seconds)
-    source, package = (one[1:] for one in times)  # the first pair reads everything from the disk
-    ratio = statistics.median(package) / statistics.median(source)
-    print(
-        f"\nstart of the package, median of {N_STARTS}: {text_of_seconds(package)}, source folder "
-        f"{text_of_seconds(source)}, ratio {ratio:.2f}; load {os.getloadavg()[0]:.1f}"
-    )
-    assert ratio <= MAX_SOURCE_RATIO
+                colours, command = windows[name]
+                with opened(shown, tmp_path, colours, *command) as (_, seconds):
+                    times[name].append(seconds)
+    print(f"\nstart to usable workspace, median of {N_STARTS}; load {os.getloadavg()[0]:.1f}")
+    medians = dict[str, float]()
+    for name, all_of_it in times.items():
+        taken = all_of_it[1:]  # the first reads everything from the disk
+        medians[name] = statistics.median(taken)
+        print(f"{name}: {medians[name]:.2f} s ({min(taken):.2f} to {max(taken):.2f})")
+    to_bare = medians["package"] / medians["bare window"]
+    to_source = medians["package"] / medians["source folder"]
+    print(f"package: {to_bare:.2f} times the bare window, {to_source:.2f} times the source folder")
+    assert to_bare <= MAX_RATIO
+    assert to_source <= MAX_SOURCE_RATIO
 
 
 def test_an_idle_package_takes_at_most_1_25_times_the_memory_of_a_bare_window(
