@@ -86,9 +86,9 @@ class Maintenance:
         from storage.file.backups import folder_of, is_due, make_backup  # noqa: PLC0415 - after the start
 
         path, now = self._store.path, self._clock()
-        if not is_due(path, now, self._store.n_saves()):
-            return
         try:
+            if not is_due(path, now, self._store.n_saves()):
+                return
             make_backup(path, now, free=self._free, stop=self._ended.is_set)
         except StoreError as error:
             self._backup = Notice(error.code, error.params)

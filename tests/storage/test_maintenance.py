@@ -127,6 +127,21 @@ def test_whatever_keeps_a_backup_from_being_made_is_told_and_the_store_goes_on(
     assert store.groups.create("A").name == "A"
 
 
+def test_a_file_that_cannot_be_read_for_a_moment_is_backed_up_later(
+    harness: MaintenanceHarness, store: Store, path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(_: Store) -> int:
+        raise StoreError("database_failed", problem="disk I/O error", path=str(path))
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Store, "n_saves", fail)
+        harness.maintenance.back_up()
+    assert harness.code == "database_failed"
+    harness.now += HOUR
+    harness.maintenance.back_up()
+    assert (harness.code, len(list_backups(path))) == (None, 1)
+
+
 def test_a_removal_that_was_cut_off_before_the_backups_is_finished_later(
     harness: MaintenanceHarness, store: Store, path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
