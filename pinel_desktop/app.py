@@ -360,6 +360,8 @@ class App:
     def _publish_recording(self, problem: StoreError | None) -> None:
         """Publishes that the live run cannot be recorded, or is recorded again. The run itself continues."""
         self._publish_notice(problem, "recording_resumed")
+        if problem is None:
+            self._grader.catch_up()  # runs whose end could not be written until now
 
     def _publish_storage_notice(self, notice: Problem | None) -> None:
         """Publishes a problem of the storage, or that it is solved. Work continues meanwhile."""

@@ -106,6 +106,26 @@ def test_what_could_not_be_judged_is_judged_at_the_next_start(
     assert app._store.runs.get(run).passed is True
 
 
+def test_a_run_whose_end_could_not_be_written_is_judged_when_the_disk_has_room(
+    app: App, browser: Browser, engine: FakeEngine, begin: Begin
+) -> None:
+    def limit(pages: int) -> None:
+        app._store._database.write(
+            lambda db: db.execute(f"PRAGMA max_page_count = {pages}").fetchone()
+        )
+
+    run = begin()
+    with browser.stream() as events:
+        events.next()
+        limit(1)  # less than the present size
+        engine.send({**ended(run, 0, 0), "text": "x" * 100_000})
+        events.until("run_ended")
+        app._grader._worker.submit(lambda: None).result()  # has passed the run over
+        limit(100_000)
+        assert events.until("judged")[-1]["run"] == run
+    assert app._store.runs.get(run).check_report is not None
+
+
 class LostJudge:
     """A judge whose process exits at each request."""
 
