@@ -119,9 +119,14 @@ class Predictions:
         key = (run_id, *((truth.source, truth.measured_at) for truth in truths))
         if key not in self._differences:
             found = None
-            with suppress(PinelError, StoreError):
+            try:
                 row = self._store.runs.get(run_id)
                 found = Difference.from_message(self._predicted(row, None).difference)
+            except StoreError:
+                return None
+            except PinelError as error:
+                if error.code == "judge_lost":  # the next one can predict it
+                    return None
             self._differences[key] = found
             while len(self._differences) > _MAX_STORED:
                 self._differences.popitem(last=False)

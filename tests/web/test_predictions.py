@@ -6,7 +6,9 @@ from typing import Any
 import pytest
 
 from pinel_desktop.app import App
+from pinel_desktop.errors import PinelError
 from pinel_desktop.robot.robot_profile import profile_from
+from pinel_desktop.school.predictions import Predictions
 from tests.links.aurora import free_port
 from tests.live_runs import saved
 from tests.runs.hidden_errors import PROFILE, SQUARE, TURN, Driven, drive
@@ -203,3 +205,21 @@ def filmed(browser: Browser, run: str, double: Driven) -> None:
     ]
     answer = browser.put(f"/api/runs/{run}/truths/camera", {"poses": body})
     assert answer.status == 200, answer.data
+
+
+def test_a_difference_that_a_lost_judge_could_not_compute_is_computed_later(
+    app: App, engine: FakeEngine, teacher: Browser
+) -> None:
+    run, _ = driven(teacher, engine)
+    judges = iter([LostJudge(), app._grader.judge])
+    predictions = Predictions(app._store, lambda: next(judges))  # type: ignore[arg-type, return-value]
+    assert predictions._difference(run) is None
+    assert predictions._difference(run) is not None
+    assert predictions._difference(run) is not None  # from memory
+
+
+class LostJudge:
+    """A judge whose process exits at each request."""
+
+    def predict(self, request: object) -> None:
+        raise PinelError("judge_lost")
