@@ -110,6 +110,19 @@ def test_an_opened_file_waits_for_the_teacher(studio: Studio, pc: KioskPc, watch
     expect(studio["merge-results"]).to_contain_text("nada de novo")
 
 
+def test_printing_the_album_waits_for_the_pin(studio: Studio, pc: KioskPc, watch: Watch) -> None:
+    watch.expect("403 (FORBIDDEN)")  # before the PIN
+    studio.enter_new_group("Os Tatus")
+    studio.page.evaluate("window.printed = 0; window.print = () => { window.printed += 1 }; null")
+    studio["open-album"].click()
+    studio["album-print"].click()
+    studio["pin"].fill(PIN)
+    studio["sign-in"].click()
+    studio.eventually(lambda: studio.page.evaluate("window.printed"), 1)
+    expect(studio["album-count"]).to_be_visible()
+    assert pc.asked == ["allow_print"]
+
+
 def test_the_teacher_prints_and_closes_pinel(studio: Studio, pc: KioskPc, watch: Watch) -> None:
     watch.expect("403 (FORBIDDEN)")  # before the PIN
     studio.page.evaluate("window.printed = 0; window.print = () => { window.printed += 1 }; null")

@@ -13,7 +13,7 @@ import { PARTS } from "./screens";
 const DriveDialog = lazy(async () => (await import("./DriveDialog")).DriveDialog);
 
 /** Screens for everybody with an action for the teacher; all others ask for the PIN themselves. */
-const ASK_FOR_PIN: readonly ScreenName[] = ["start", "cards"];
+const ASK_FOR_PIN: readonly ScreenName[] = ["start", "cards", "album"];
 
 export function App() {
   if (connection.value === "locked") return <Locked />;
