@@ -124,10 +124,7 @@ class EngineClient:
                 at the first block.
             inputs: what the program reads; None if a person gives it.
         """
-        if self.state == "lost":
-            self.start()
-        if self.state == "starting":
-            self.wait_until_ready(_READY_S)
+        self._prepare()
         with self._lock:
             if self._live is not None:
                 raise PinelError("run_in_progress")
@@ -197,6 +194,7 @@ class EngineClient:
 
         Raises PinelError `run_in_progress`, `engine_not_ready`, and the errors of the connection.
         """
+        self._prepare()
         with self._lock:
             if self._live is not None:
                 raise PinelError("run_in_progress")
@@ -210,10 +208,18 @@ class EngineClient:
 
         Raises PinelError `engine_not_ready`, `network_missing`, `peer_unknown`.
         """
+        self._prepare()
         if self.state != "ready":
             raise PinelError("engine_not_ready")
         found: list[dict[str, Any]] = self._ask("find", robot, _FIND_TIMEOUT_S)
         return found
+
+    def _prepare(self) -> None:
+        """Starts a lost engine again, and waits a few seconds for one that starts."""
+        if self.state == "lost":
+            self.start()
+        if self.state == "starting":
+            self.wait_until_ready(_READY_S)
 
     def _ask(self, what: str, robot: RobotProfile, timeout_s: float) -> Any:
         """Sends a request about a robot and returns the response."""
