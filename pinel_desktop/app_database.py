@@ -45,6 +45,8 @@ def open_database(database: Path) -> Store:
             store.notice = Notice("database_not_lasting", {"folder": str(database.parent)})
         return store
     except StoreError as error:
+        if error.code == "database_locked":  # waiting does not help: the file is opened only here
+            error = StoreError("database_locked_at_start", **error.params)
         return Store.without_file(database, error)
 
 

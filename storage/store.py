@@ -218,7 +218,7 @@ def open_store(
     """
     opened = prepare(path, clock(), _salvage_into)
     is_full = opened.notice is not None and opened.notice.code == "disk_full_at_start"
-    refusal = StoreError("disk_full" if is_full else "database_read_only", path=str(path))
+    refusal = StoreError("disk_full_at_start" if is_full else "database_read_only", path=str(path))
     store = Store(
         Database(path, opened.address, None if opened.writable else refusal, clock, uptime),
         writable=opened.writable,

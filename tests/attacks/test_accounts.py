@@ -84,8 +84,8 @@ def test_a_home_that_grants_no_locks_is_reported_and_the_work_is_there_when_it_d
     with session(ANA, folder) as pinel:
         assert pinel.create("Onças") < 300
     with session(ANA, folder, LD_PRELOAD=str(library)) as pinel:
-        assert pinel.notice == "database_locked"
+        assert pinel.notice == "database_locked_at_start"
         assert pinel.create("Tucanos") >= 400
     with session(ANA, folder) as pinel:
         assert pinel.groups == ["Onças"]
-        assert pinel.notice != "database_locked"
+        assert pinel.notice is None

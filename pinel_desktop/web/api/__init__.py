@@ -15,7 +15,13 @@ _ERROR = {"application/json": {"schema": {"$ref": "#/components/schemas/ErrorAns
 
 TEACHER = ("teacher_only", "pin_missing")
 """Codes of a route that only the teacher may call; its handler begins with `require_teacher`."""
-WRITES = ("database_locked", "database_read_only", "disk_full")
+WRITES = (
+    "database_locked",
+    "database_locked_at_start",
+    "database_read_only",
+    "disk_full",
+    "disk_full_at_start",
+)
 """Error codes of routes that write to the database."""
 OCTETS = {
     "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}

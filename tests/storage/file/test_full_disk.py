@@ -257,6 +257,25 @@ def test_a_run_that_ended_on_a_full_disk_is_kept_when_the_filler_is_gone(
         assert len(again.runs.telemetry(run.id).rows) == len(events)
 
 
+def test_a_file_that_is_opened_on_a_full_disk_says_that_it_must_be_opened_again(
+    tiny_disk: Path,
+) -> None:
+    path, filler = tiny_disk / "pinel.db", tiny_disk / "film.mp4"
+    with open_store(path) as store:
+        store.groups.create("A")
+    with contextlib.suppress(OSError), filler.open("wb", buffering=0) as file:
+        while True:
+            file.write(b"x")
+    with open_store(path) as full:
+        assert full.notice is not None
+        assert full.notice.code == "disk_full_at_start"
+        filler.unlink()
+        assert code_of(lambda: full.groups.create("B")) == "disk_full_at_start"
+    with open_store(path) as again:
+        assert [group.name for group in again.groups.all()] == ["A"]
+        assert again.groups.create("B").name == "B"
+
+
 def test_a_disk_without_any_room_is_told_when_the_file_is_made(tiny_disk: Path) -> None:
     (tiny_disk / "film.mp4").write_bytes(b"x" * 799 * 1024)
     assert code_of(lambda: open_store(tiny_disk / "pinel.db")) == "disk_full"

@@ -10,6 +10,7 @@ import { type Problem, problemOf } from "../kit/requests/problem";
 import { ToStart } from "../kit/ToStart";
 import { fileName, saveFile } from "../shell/files/save_file";
 import { connection, group, notice, problem, showNotice } from "../shell/session";
+import { mayPass } from "../studio/program/autosave";
 import { type OpenProgram, programOnScreen } from "../studio/program/open_program";
 import { ExportGroup } from "../work/ProgramFile";
 
@@ -86,8 +87,7 @@ function Unsaved() {
   if (save.state.value !== "failed") return null;
   const { saved } = texts.value;
   const { remedy, ...why } = problemOf(save.problem.value);
-  // waiting may free space on a full disk, but does not make a read-only database writable
-  const waitHint = isCode(save.problem.value, "database_read_only") ? "" : saved.failedRemedy;
+  const waitHint = mayPass(save.problem.value) ? saved.failedRemedy : "";
   const text = { ...why, remedy: `${remedy} ${waitHint}`.trim() };
   return <MessageLine text={text} fault testId="unsaved" icon={<Save class="icon" />} />;
 }

@@ -1,6 +1,7 @@
 import { Check, LoaderCircle, RefreshCw, TriangleAlert } from "lucide-preact";
 import { texts } from "../../i18n";
 import { Button } from "../../kit/Button";
+import { mayPass } from "../../studio/program/autosave";
 import { programOnScreen } from "../../studio/program/open_program";
 
 const ICONS = {
@@ -19,6 +20,7 @@ export function SaveStatus() {
   const { value: saving } = open.autosave.state;
   const state = saving === "saved" && open.ownWorld.isRefused.value ? "refused" : saving;
   const Icon = ICONS[state];
+  const isTried = state === "failed" && mayPass(open.autosave.problem.value);
   return (
     <span
       class={`saved saved--${state === "deleted" ? "failed" : state}`}
@@ -26,14 +28,14 @@ export function SaveStatus() {
       data-state={state}
     >
       <Icon class="icon" aria-hidden="true" />
-      <span role="status" title={state === "failed" ? saved.failedRemedy : undefined}>
+      <span role="status" title={isTried ? saved.failedRemedy : undefined}>
         {state === "deleted" ? saved.failed : saved[state]}
       </span>
       {state === "failed" && (
         <Button
           icon={RefreshCw}
           label={saved.retry}
-          tip={saved.failedRemedy}
+          tip={isTried ? saved.failedRemedy : undefined}
           onPress={() => open.autosave.flush().catch(() => {})}
         >
           <span class="header__word">{saved.retry}</span>

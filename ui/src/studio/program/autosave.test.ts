@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { ApiError } from "../../api/errors";
 import type { EditorContent, SavedState } from "../../api/model";
-import { Autosave } from "./autosave";
+import { Autosave, mayPass } from "./autosave";
 
 const content = (n: number): EditorContent => ({ workspace: { n }, document: null });
 const version = (n: number): SavedState => ({ id: `v${n}`, faults: [] });
@@ -158,4 +158,14 @@ describe("flush", () => {
     new Autosave(save).flushLast();
     expect(sent).toEqual([]);
   });
+});
+
+test.each([
+  ["disk_full", true],
+  ["database_locked", true],
+  ["disk_full_at_start", false],
+  ["body_too_large", false],
+])("after %s, time alone helps: %j", (code, helps) => {
+  expect(mayPass(new ApiError(500, { code, message: "", remedy: "", params: {} }))).toBe(helps);
+  expect(mayPass(new Error("no network"))).toBe(true);
 });

@@ -12,6 +12,18 @@ const DEBOUNCE_MS = 300;
 const MAX_DELAY_MS = 600;
 const RETRY_MS = [1000, 2000, 5000];
 const DELETED = ["program_not_found", "group_not_found"];
+/** Errors that last until PINEL is opened again, or until the program is another one. */
+const LASTING = [
+  "database_read_only",
+  "disk_full_at_start",
+  "database_locked_at_start",
+  "body_too_large",
+  "work_unreadable",
+];
+
+/** Whether a failed save may succeed at a later try, without anything else than time. */
+export const mayPass = (problem: unknown) =>
+  !(problem instanceof ApiError && LASTING.includes(problem.code));
 
 /** Saves one program: the newest content wins, one request at a time. */
 export class Autosave {
