@@ -1,5 +1,6 @@
 """Shows the page in a browser in app mode: without tabs and address bar, with a profile of its own."""
 
+import contextlib
 import os
 import shutil
 import subprocess
@@ -8,6 +9,7 @@ import threading
 from collections.abc import Callable
 
 from pinel_desktop.desktop.backends import NoWindowError, Pc, find_browser
+from pinel_desktop.errors import PinelError
 
 # a browser that fails sooner has not shown a window
 _SHORT_LIFE_S = 5.0
@@ -65,15 +67,22 @@ class BrowserWindow:
         return False
 
     def show(self) -> None:
-        """Opens another window, because the browser's existing one cannot be brought forward from outside."""
-        if self._command is not None:
-            subprocess.run(
-                self._command(),
-                stdin=subprocess.DEVNULL,
-                capture_output=True,
-                check=False,
-                timeout=10,
-            )
+        """Opens another window, because the browser's existing one cannot be brought forward from outside.
+
+        Returns at once: a new address comes on the thread that calls this.
+        """
+        threading.Thread(target=self._open_another, name="browser-window", daemon=True).start()
+
+    def _open_another(self) -> None:
+        with contextlib.suppress(PinelError, OSError, subprocess.TimeoutExpired):
+            if self._command is not None:
+                subprocess.run(
+                    self._command(),
+                    stdin=subprocess.DEVNULL,
+                    capture_output=True,
+                    check=False,
+                    timeout=10,
+                )
 
     def _run(self, command: list[str]) -> None:
         with subprocess.Popen(

@@ -90,18 +90,21 @@ class Presenter:
 
     def show(self) -> None:
         """Brings the window forward, if there is one."""
-        if self._window is not None:
-            self._window.show()
+        window = self._window  # another thread may end it meanwhile
+        if window is not None:
+            window.show()
 
     def close(self) -> None:
         """Makes `run` return."""
         self._closed.set()
-        if self._window is not None:
-            self._window.close()
+        window = self._window
+        if window is not None:
+            window.close()
 
     def present(self, address: str | None) -> bool:
         """Shows an address on a second screen; None ends that. Returns whether a second screen shows it."""
-        return self._window is not None and self._window.present(address)
+        window = self._window
+        return window is not None and window.present(address)
 
     def _try(self, backend: Backend) -> bool:
         """Shows the page with a backend; True if it was shown and closed, False if the backend cannot show it."""

@@ -4,6 +4,7 @@ import itertools
 import os
 import stat
 import threading
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -143,6 +144,45 @@ def test_closing_ends_the_browser(
     running = threading.Thread(target=presenter.run)
     running.start()
     started.read_text("utf-8")
+    presenter.close()
+    running.join(10)
+    assert not running.is_alive()
+
+
+def test_bringing_a_browser_forward_waits_for_no_address(
+    printed: PrintedLines, tmp_path: Path
+) -> None:
+    """The address comes on the thread that asks for the window."""
+    numbers, released, called = itertools.count(1), threading.Event(), tmp_path / "called"
+
+    def address() -> str:
+        number = next(numbers)
+        assert number == 1 or released.wait(10)
+        return f"http://127.0.0.1:1/?key={number}"
+
+    def n_opened() -> int:
+        return len(called.read_text("utf-8").splitlines()) if called.exists() else 0
+
+    def wait_for(n: int) -> None:
+        deadline_s = time.monotonic() + 20
+        while n_opened() < n:
+            assert time.monotonic() < deadline_s
+            time.sleep(0.02)
+
+    script = f'echo "$1" >>"{called}"; case "$1" in *key=1) exec sleep 600;; esac'
+    presenter = Presenter(
+        address,
+        lambda: "en",
+        print_text=printed.add,
+        give=printed.add,
+        pc=pc_without_gtk(fake_browser(tmp_path, script)),
+    )
+    running = threading.Thread(target=presenter.run, daemon=True)
+    running.start()
+    wait_for(1)
+    presenter.show()
+    released.set()
+    wait_for(2)
     presenter.close()
     running.join(10)
     assert not running.is_alive()
