@@ -38,7 +38,11 @@ class ProcessPool(Generic[T, R]):
         self._is_cancelled = False
 
     def start(self) -> None:
-        """Starts all processes, so that the first tasks need not wait for the interpreter's imports."""
+        """Starts all processes, so that the first tasks need not wait for the interpreter's imports.
+
+        After `cancel` and the end of `results`, it makes the pool ready for the next tasks.
+        """
+        self._is_cancelled = False
         while len(self._idle) + len(self._busy) < self._n_processes:
             self._idle.append(_Worker(self._function))
 
@@ -47,9 +51,9 @@ class ProcessPool(Generic[T, R]):
 
         Closing the generator kills the processes that are busy; the others wait for the next tasks.
         """
-        self._is_cancelled, waiting = False, iter(tasks)
+        waiting = iter(tasks)
         try:
-            while self._assign(waiting) or self._busy:
+            while not self._is_cancelled and (self._assign(waiting) or self._busy):
                 for worker in self._ready():
                     task, attempt = self._busy.pop(worker)
                     result = worker.result()
@@ -67,7 +71,7 @@ class ProcessPool(Generic[T, R]):
             self._busy.clear()
 
     def cancel(self) -> None:
-        """Ends `results`, which runs on another thread, and kills the processes that are busy."""
+        """Ends `results`, which runs on another thread or is about to, and kills the processes that are busy."""
         self._is_cancelled = True
         for worker in tuple(self._busy):
             worker.kill()
@@ -95,6 +99,8 @@ class ProcessPool(Generic[T, R]):
         worker = self._idle.pop() if self._idle else _Worker(self._function)
         self._busy[worker] = task, attempt
         worker.begin(task)
+        if self._is_cancelled:  # `cancel` may have looked for busy processes a moment ago
+            worker.kill()
 
     def _ready(self) -> "list[_Worker[T, R]]":
         """Waits until a process has finished a task or has exited; returns all such processes."""
