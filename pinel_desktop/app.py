@@ -190,13 +190,13 @@ class App:
         self._grader = Grader(
             self._store, self._flush_recording, self._hub.publish, lambda: self._settings.language
         )
-        undo.callback(self._grader.close)
         self._confirmer = Confirmer(self._store, self._grader.verdict_on, self._grader.grade)
         undo.callback(self._confirmer.close)
         self._live_checks = LiveChecks(
             lambda: self._grader.judge, self._hub.publish, lambda: self._settings.language
         )
         undo.callback(self._live_checks.close)
+        undo.callback(self._grader.close)  # ends the judge, for which the others may wait
         undo.callback(self._maintenance.close)
         self._content_check = self._store.scrubber(self._publish_storage_notice)
         undo.callback(self._content_check.close)
@@ -209,6 +209,13 @@ class App:
         self._localisation = LocalisationTruth(
             self._store, self._hub.publish, lambda: self._settings.language
         )
+        self._floor_camera = FloorCamera(self._settings)
+        self._overhead = OverheadTruth(
+            self._store, self._floor_camera, self._hub.publish, lambda: self._settings.language
+        )
+        # after the engine, whose end may end a run
+        undo.callback(self._localisation.close)
+        undo.callback(self._overhead.close)
         self._engine = self._make_engine(
             self._on_engine_event,
             on_robot=self._status_feed.publish_state,
@@ -216,10 +223,6 @@ class App:
             is_watched=self._is_watched,
         )
         undo.callback(self._engine.close)
-        self._floor_camera = FloorCamera(self._settings)
-        self._overhead = OverheadTruth(
-            self._store, self._floor_camera, self._hub.publish, lambda: self._settings.language
-        )
         self._camera = CameraClient(
             self._camera_source or self._settings[CAMERA],
             self._hub.publish,

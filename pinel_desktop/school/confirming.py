@@ -70,8 +70,10 @@ class Confirmer:
             self._thread.join()
 
     def _work(self) -> None:
-        while not self._closing.is_set():
+        while True:
             self._check_requested.clear()
+            if self._closing.is_set():
+                return
             try:
                 if self._store.can_write:
                     self._confirm_all()

@@ -7,10 +7,10 @@ judged by the robot's measurements if the activity allows that. Otherwise it is 
 
 import contextlib
 import logging
+import threading
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from pinel_desktop.errors import PinelError
@@ -46,16 +46,26 @@ class Grader:
         judge: "JudgeClient | None" = None,
     ) -> None:
         self._store, self._settle, self._publish = store, settle, publish
-        self._language, self._chosen_judge = language, judge
+        self._language, self._judge = language, judge
         self._worker = ThreadPoolExecutor(1, thread_name_prefix="grader")
         self._start_info: dict[str, RunStartInfo] = {}  # of the live run, by its id
+        self._lock = threading.Lock()
+        self._is_closed = False
 
-    @cached_property
+    @property
     def judge(self) -> "JudgeClient":
-        """The client of the judge, whose process starts with the first request or with `prepare`."""
+        """The client of the judge, whose process starts with the first request or with `prepare`.
+
+        Raises PinelError `judge_lost` if the first request comes after `close`.
+        """
         from pinel_desktop.judge.client import JudgeClient  # noqa: PLC0415 - not needed to start
 
-        return self._chosen_judge or JudgeClient()
+        with self._lock:
+            if self._judge is None:
+                if self._is_closed:
+                    raise PinelError("judge_lost")
+                self._judge = JudgeClient()
+            return self._judge
 
     def prepare(self, run_id: str, start_info: "RunStartInfo") -> None:
         """Stores the live run's data for the judge, and starts the judge, so that it is warm when the run ends."""
@@ -77,8 +87,10 @@ class Grader:
     def close(self) -> None:
         """Drops the queue; `catch_up` restores it at the next start."""
         self._worker.shutdown(wait=False, cancel_futures=True)
-        if "judge" in self.__dict__:
-            self.judge.close()
+        with self._lock:
+            self._is_closed = True
+        if self._judge is not None:
+            self._judge.close()
         self._worker.shutdown()
 
     def _grade(self, run_id: str) -> None:

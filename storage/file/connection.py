@@ -1,5 +1,6 @@
 """Connections to the file: one writer thread, and a pool of reading connections."""
 
+import contextlib
 import queue
 import sys
 import time
@@ -136,8 +137,9 @@ class Database:
 
     def close(self) -> None:
         """Finishes queued jobs and closes every connection, the writer last, as it empties the write-ahead log."""
-        while not self._idle.empty():
-            self._idle.get_nowait().close()
+        with contextlib.suppress(queue.Empty):
+            while True:
+                self._idle.get_nowait().close()
         if self._writer is not None:
             self._writer.close()
 

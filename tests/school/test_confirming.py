@@ -1,6 +1,7 @@
 """Merged runs are re-verified while no run is live; a run that starts here interrupts this."""
 
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -85,3 +86,20 @@ def test_a_run_that_begins_here_ends_the_repetition_which_is_tried_again(store: 
     until(repeating)
     confirmer.close()
     assert not repeating()
+
+
+def test_closing_between_two_searches_waits_for_no_third(store: Store) -> None:
+    confirmer = Confirmer(store, lambda _run: Verdict(True, None, []), command=SLOW)
+
+    class Closed(threading.Event):
+        """`close` is called just before the thread clears the request for a search."""
+
+        def clear(self) -> None:
+            confirmer._closing.set()
+            self.set()
+            super().clear()
+
+    confirmer._check_requested = Closed()
+    confirmer.start()
+    confirmer._thread.join(10)
+    assert not confirmer._thread.is_alive()

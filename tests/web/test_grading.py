@@ -159,6 +159,13 @@ def test_a_run_whose_judge_dies_is_kept_for_the_next_start_and_the_group_is_told
     assert app._store.grading_results.pending() == [run]
 
 
+def test_no_judge_is_started_once_the_grader_is_closed(app: App) -> None:
+    grader = type(app._grader)(app._store, lambda: None, lambda event: None, lambda: "en")
+    grader.close()
+    with pytest.raises(PinelError, match="judge_lost"):
+        _ = grader.judge
+
+
 def test_a_run_without_activity_is_not_judged(
     app: App, engine: FakeEngine, run: dict[str, Any]
 ) -> None:

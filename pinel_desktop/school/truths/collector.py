@@ -35,6 +35,7 @@ class TruthCollector:
         self._tick = 0
         self._believed: dict[int, Pose2D] = {}
         self._seen: dict[int, TruePose] = {}
+        self._recording: threading.Thread | None = None
 
     @property
     def run(self) -> str | None:
@@ -85,9 +86,15 @@ class TruthCollector:
             seen = [self._seen[tick] for tick in sorted(self._seen)]
             believed = self._believed
         if run:
-            threading.Thread(
+            self._recording = threading.Thread(
                 target=self._record, args=(run, seen, believed), name="truth-of-run"
-            ).start()
+            )
+            self._recording.start()
+
+    def close(self) -> None:
+        """Waits until what was seen is recorded."""
+        if self._recording is not None:
+            self._recording.join()
 
     def _record(self, run: str, seen: list[TruePose], believed: dict[int, Pose2D]) -> None:
         aligned = in_start_frame(seen, believed.get)

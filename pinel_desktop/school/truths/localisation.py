@@ -41,6 +41,10 @@ class LocalisationTruth:
         elif event["type"] == "run_ended":
             self._collector.end()
 
+    def close(self) -> None:
+        """Waits until what was seen of the last run is recorded."""
+        self._collector.close()
+
     def receive(self, message: Mapping[str, Any]) -> None:
         """Handles a message `robot_localised` of the engine."""
         if message["run"] != self._collector.run:

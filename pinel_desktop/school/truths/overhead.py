@@ -35,6 +35,10 @@ class OverheadTruth:
             self._collector.end()
             self._camera.end_run()
 
+    def close(self) -> None:
+        """Waits until what was seen of the last run is recorded."""
+        self._collector.close()
+
     def receive(self, message: Mapping[str, Any]) -> None:
         """Handles a message `overhead` of the camera process."""
         self._camera.receive(message)
