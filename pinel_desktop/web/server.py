@@ -7,7 +7,8 @@ import logging
 import socket
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from werkzeug.serving import ThreadedWSGIServer, WSGIRequestHandler
@@ -19,6 +20,7 @@ HOST = "127.0.0.1"
 _OPEN_FILES = 4096  # more than the app needs; most systems allow a process 1,024 by default
 _MAX_WAITING = 256  # on Windows, `select` handles 512 sockets at most
 _DEFER_S = 1  # a connection without any byte is accepted after this time
+_LAST_REQUESTS_S = 1.0
 _BACKLOG = 128  # with a longer one the page would wait behind a flood of connections
 # Blockly nests each block in the block above it, two levels of JSON per block, and Python's JSON
 # parser recurses. This limit is enough for a stack of thousands of blocks.
@@ -68,10 +70,14 @@ class Server:
         self._thread.start()
 
     def close(self) -> None:
-        """Stops the server. Close the hub first, which ends the streams."""
+        """Stops the server, and gives requests a moment to end, such as the last save of a page that closes.
+
+        Close the hub first, which ends the streams.
+        """
         if self._answering is not None and self._thread is not None:
             self._acceptor.close()
             self._thread.join()
+            self._answering.wait_for_requests(_LAST_REQUESTS_S)
             self._answering.server_close()
         self._socket.close()
 
@@ -84,6 +90,24 @@ class _Answering(ThreadedWSGIServer):
     def __init__(self, listener: socket.socket, app: Wsgi) -> None:
         host, port = listener.getsockname()[:2]
         super().__init__(host, port, app, _QuietHandler, fd=listener.fileno())
+        self._n_requests, self._changed = 0, threading.Condition()
+
+    @contextmanager
+    def counted(self) -> Iterator[None]:
+        """Counts a request while the app works on it."""
+        with self._changed:
+            self._n_requests += 1
+        try:
+            yield
+        finally:
+            with self._changed:
+                self._n_requests -= 1
+                self._changed.notify_all()
+
+    def wait_for_requests(self, timeout_s: float) -> None:
+        """Waits until the app works on no request."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._n_requests == 0, timeout_s)
 
     def respond(self, connection: Connection) -> None:
         """Answers a connection.
@@ -99,6 +123,12 @@ class _Answering(ThreadedWSGIServer):
 
 class _QuietHandler(WSGIRequestHandler):
     """Does not log addresses, because the first address contains a one-time key."""
+
+    server: _Answering
+
+    def run_wsgi(self) -> None:
+        with self.server.counted():
+            super().run_wsgi()
 
     def log(self, type: str, message: str, *args: Any) -> None:
         _log.debug("%s: request", type)

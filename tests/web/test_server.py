@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from pinel_desktop.web import server
 from pinel_desktop.web.server import Server
 from tests.attacks.damage import wait_until
 
@@ -57,6 +58,9 @@ class Site:
 
     def ask(self, *parts: bytes) -> bytes:
         return answer(self.client(*parts))
+
+    def close_server(self) -> None:
+        self._server.close()
 
     def close(self) -> None:
         self._stack.close()
@@ -178,3 +182,20 @@ def _refused_or_waiting(site: Site, client: socket.socket) -> bytes:
         except TimeoutError:
             continue
     return b""
+
+
+def test_closing_waits_for_the_requests_that_have_begun(
+    site: Site, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(server, "_LAST_REQUESTS_S", WAIT_S)
+    site.start()
+    client = site.client(asked("/wait", FRIEND))
+    assert site.app.n_waiting.acquire(timeout=WAIT_S)
+    closing = threading.Thread(target=site.close_server)
+    closing.start()
+    closing.join(0.2)
+    assert closing.is_alive()
+    site.app.released.set()
+    closing.join(WAIT_S)
+    assert not closing.is_alive()
+    assert client.recv(12) == b"HTTP/1.1 200"

@@ -115,6 +115,9 @@ def begin_run(body: NewRun) -> Response:
     if spec.robot:
         parts.overhead.begin(row.id)
         parts.localisation.begin(row.id, spec.robot)
+        if parts.engine.live_run != row.id:  # it ended before they followed it
+            for source in (parts.overhead, parts.localisation):
+                source.observe({"run": row.id, "type": "run_ended"})
     return json_response(run_model(row))
 
 
