@@ -160,6 +160,21 @@ describe("flush", () => {
   });
 });
 
+test("a program that left the screen is saved as soon as that is possible", async () => {
+  const { sent, state, save } = server();
+  const autosave = new Autosave(save);
+  autosave.edit(content(1));
+  state.failing = true;
+  await vi.advanceTimersByTimeAsync(300);
+  autosave.dispose();
+  await vi.advanceTimersByTimeAsync(10_000);
+  expect(autosave.state.value).toBe("failed");
+  state.failing = false;
+  await vi.advanceTimersByTimeAsync(5000);
+  expect(autosave.state.value).toBe("saved");
+  expect(sent.at(-1)?.content).toEqual(content(1));
+});
+
 test.each([
   ["disk_full", true],
   ["database_locked", true],

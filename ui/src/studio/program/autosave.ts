@@ -75,9 +75,9 @@ export class Autosave {
     });
   }
 
+  /** Called when the program leaves the screen: saves now, and tries again until it succeeds. */
   dispose(): void {
-    this.flushLast();
-    clearTimeout(this.timer);
+    void this.flush().catch(() => {});
   }
 
   private get isDeleted(): boolean {
