@@ -144,6 +144,18 @@ def test_signs_are_practised_and_spelled_without_a_program(studio: Studio) -> No
     expect(studio["practice-text"]).to_have_value(re.compile("^B*$"))
 
 
+def test_practice_leads_back_to_the_program_of_the_own_group_only(studio: Studio) -> None:
+    back = studio.page.get_by_role("link", name="Voltar ao programa")
+    studio.enter_new_group("Os Tatus")
+    studio.page.evaluate("location.hash = '#/practice'")
+    expect(back).to_be_visible()
+    back.click()
+    studio["home"].click()
+    studio["practice"].click()
+    expect(studio["practice-text"]).to_be_visible()
+    expect(back).to_have_count(0)
+
+
 def test_practice_on_a_low_screen_shows_letter_and_choice_of_letters(studio: Studio) -> None:
     studio.page.set_viewport_size({"width": 1024, "height": 600})
     studio["practice"].click()

@@ -118,10 +118,7 @@ function WorkButton() {
       </LinkButton>
     );
   }
-  if (now.screen === "work") {
-    const program = opened.value?.program;
-    return program?.group_id === now.group ? <BackToProgram /> : null;
-  }
+  if (now.screen === "work") return <BackToProgram />;
   return (
     <Button
       icon={Route}
@@ -200,7 +197,8 @@ function PracticeLink() {
 
 function BackToProgram() {
   const program = opened.value?.program;
-  if (!program) return null;
+  // the group before may have left its program open
+  if (program?.group_id !== group.value?.id || !program) return null;
   return (
     <LinkButton
       icon={ArrowLeft}
