@@ -18,7 +18,7 @@ from storage.text import from_json, name_key, new_id, to_json
 
 # values under these keys are terms of the language or of the robot, not texts of pupils
 _UNCHANGED_KEYS = {
-    *("action", "op", "sensor", "direction", "gesture", "symbol", "color", "state", "cause"),
+    *("action", "op", "sensor", "direction", "symbol", "color", "state", "cause"),
     *(
         "reason",
         "source",
@@ -33,6 +33,8 @@ _UNCHANGED_KEYS = {
         "by",
     ),
 }
+# under "gesture", an expression names what it reads of a sign; an event has the sign, whose name a class may have given
+_GESTURE_READINGS = ("result", "number")
 # under these keys, the keys of the object are names that pupils gave
 _NAMING = ("arguments", "variables")
 _OWN = "own"  # the name of every world that a group made
@@ -104,6 +106,8 @@ class _Anonymising:
         if isinstance(value, list):
             return [self._neutral(part, key) for part in value]
         if not isinstance(value, str) or key in _UNCHANGED_KEYS:
+            return value
+        if key == "gesture" and value in _GESTURE_READINGS:
             return value
         if key == "pointer":
             return value if _POINTER.fullmatch(value) else ""

@@ -96,7 +96,7 @@ def test_what_a_variable_is_called_does_not_spare_its_text(
     run = store.runs.begin(RunStart("sim", "own", WORLD, 1, "0.1.0", version_id=version.id))
     recorder = RunRecorder(store)
     event = {"v": 1, "run": run.id, "tick": 0, "block": None, "type": "watch", "seq": 0}
-    recorder({**event, "variables": {name: "Joao"}, "stack": [], "gesture": None})
+    recorder({**event, "variables": {name: "Joao"}, "stack": [], "gesture": "Joao"})
     recorder(ended(run.id, 1, 0))
     path = store.exchange.export(
         tmp_path / "x.pinel", app_version="1", computer=("", ""), anonymous=[]
