@@ -187,6 +187,13 @@ def test_a_saved_file_is_found_and_read_again(pupil: Browser, stick: Path) -> No
     assert read(pupil, stick / "meu mundo.json").body == content
 
 
+@pytest.mark.parametrize("ending", ["pinel", "json", "py", "csv", "png", "gif", "html"])
+def test_each_kind_of_file_that_the_page_makes_is_saved(
+    pupil: Browser, stick: Path, ending: str
+) -> None:
+    assert save(pupil, stick, f"Onças Quadrado.{ending}").status == 200
+
+
 def test_no_other_file_of_the_pc_can_be_read(pupil: Browser, stick: Path, tmp_path: Path) -> None:
     secret = tmp_path / "secret.json"
     secret.write_text("{}", "utf-8")

@@ -10,7 +10,7 @@ _Path = Annotated[str, Field(max_length=4000)]
 # file types that the page reads or writes
 _Suffix = Literal[".pinel", ".json", ".onnx"]
 _FILE_NAME = (
-    r"^[^/\\:*?\"<>|\x00-\x1f.][^/\\:*?\"<>|\x00-\x1f]{0,119}\.(pinel|json|py|csv|png|html)$"
+    r"^[^/\\:*?\"<>|\x00-\x1f.][^/\\:*?\"<>|\x00-\x1f]{0,119}\.(pinel|json|py|csv|png|gif|html)$"
 )
 
 
