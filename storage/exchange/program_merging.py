@@ -58,7 +58,8 @@ _RUNS = f"""theirs.program_id IN {_PROGRAM} AND theirs.group_id = {_GROUP}
 
 
 def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
-    """Adds the new rows of a bundle with programs of one group; returns the report and the newest program's key.
+    """Adds the new rows of a bundle with programs of one group; returns the report and the key of the newest program, of those outside
+    the bin if there are any.
 
     Raises:
         StoreError: `bundle_not_program` if it has no program, programs of several groups, or deletions; else as
@@ -66,7 +67,10 @@ def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
     """
     with open_bundle(path, max_samples=MAX_SAMPLES_WITHOUT_PIN) as bundle:
         with closing(connect(bundle.address)) as db:
-            programs = db.execute("SELECT max(id) AS id FROM programs GROUP BY group_id").fetchall()
+            programs = db.execute(
+                """SELECT coalesce(max(CASE WHEN deleted_at IS NULL THEN id END), max(id)) AS id
+                   FROM programs GROUP BY group_id"""
+            ).fetchall()
             deletes = db.execute("SELECT 1 FROM tombstones LIMIT 1").fetchone()
         if len(programs) != 1 or deletes:
             raise StoreError("bundle_not_program", path=str(path))

@@ -45,6 +45,18 @@ def changed(path: Path, *statements: str) -> Path:
     return path
 
 
+def test_of_a_group_the_newest_program_outside_the_bin_is_opened(
+    pc: Callable[[str], Store], tmp_path: Path
+) -> None:
+    here, there = pc("a"), pc("b")
+    group = there.groups.create("Onças")
+    program, _ = work(there, group, "Quadrado")
+    newest, _ = work(there, group, "Triângulo")
+    there.programs.move_to_bin(newest.id)
+    path = exported(there, tmp_path / "g.pinel", Scope(group_id=group.id)).path
+    assert here.exchange.merge_program(path)[1] == program.id
+
+
 def test_it_comes_with_all_that_it_needs_but_the_notes(
     pc: Callable[[str], Store], tmp_path: Path
 ) -> None:
