@@ -60,7 +60,9 @@ class CloudClient:
         self._process.start()
         if not self._process.wait_until_ready(_START_S):
             raise PinelError("cloud_lost")
-        self._cloud = request.cloud
+        earlier, self._cloud = self._cloud, request.cloud
+        if earlier is not None and earlier != request.cloud:
+            self._publish_end(earlier, "cloud_replaced")
         if not self._process.send(request.as_message()):
             raise PinelError("cloud_lost")
 
@@ -84,7 +86,7 @@ class CloudClient:
             self._cloud = None
         text = end["text"] if end else ""
         if message.get("error"):
-            text = self._lost_text()
+            text = self._text("cloud_lost")
         self._publish(
             CloudProgress(
                 cloud=cloud,
@@ -100,9 +102,13 @@ class CloudClient:
     def _died(self) -> None:
         cloud, self._cloud = self._cloud, None
         if cloud is not None:
-            text = self._lost_text()
-            self._publish(CloudProgress(cloud, N_ROBOTS, [], True, [], text, None).to_wire())
+            self._publish_end(cloud, "cloud_lost")
 
-    def _lost_text(self) -> str:
-        text = describe("cloud_lost", {}, self._language())
+    def _publish_end(self, cloud: str, code: str) -> None:
+        """Publishes the end of a cloud whose robots have not all arrived."""
+        progress = CloudProgress(cloud, N_ROBOTS, [], True, [], self._text(code), None)
+        self._publish(progress.to_wire())
+
+    def _text(self, code: str) -> str:
+        text = describe(code, {}, self._language())
         return f"{text.message} {text.remedy}"

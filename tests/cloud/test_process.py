@@ -125,8 +125,11 @@ def test_stop_ends_a_cloud_and_says_how_many_came(lasting: Clouds) -> None:
 
 
 def test_a_new_cloud_ends_the_one_before(lasting: Clouds) -> None:
-    lasting.begin(ENDLESS)
+    earlier = lasting.begin(ENDLESS)
     cloud = lasting.begin(SQUARE)
+    _, replaced = lasting.to_the_end()
+    assert replaced["cloud"] == earlier
+    assert replaced["text"].startswith("Outra janela começou os seus 50 robôs.")
     rows, end = lasting.to_the_end()
     assert (len([row for row in rows if row["well"]]), end["cloud"]) == (N_ROBOTS, cloud)
 
