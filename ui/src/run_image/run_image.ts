@@ -76,8 +76,10 @@ async function stacksOf({ version }: RunWithVersion): Promise<readonly DrawnStac
 /** The mission of the run and whether it was passed, in words. */
 async function missionOf({ activity: name, passed }: RunWithVersion): Promise<string> {
   if (!name) return "";
-  const found = (await activitiesApi.list()).find((activity) => activity.name === name);
-  const title = found ? `${found.number} ${found.title}` : name;
+  // a teacher's activity may be missing here, and has no number
+  const found = await activitiesApi.one(name).catch(() => null);
+  if (!found) return "";
+  const title = `${found.number} ${found.title}`.trim();
   const { runImage } = texts.peek();
   if (passed === null) return runImage.mission({ title });
   return passed ? runImage.passed({ title }) : runImage.notPassed({ title });

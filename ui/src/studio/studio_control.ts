@@ -1,4 +1,4 @@
-import { computed, effect, signal } from "@preact/signals";
+import { computed, effect, type Signal, signal } from "@preact/signals";
 import { api } from "../api/client";
 import { ApiError } from "../api/errors";
 import type { EditorContent, LiveCommand, SavedState } from "../api/model";
@@ -108,7 +108,7 @@ export class StudioControl {
   /** The blocks before the whole program was replaced, for undo. */
   readonly replaced = signal<Replaced | null>(null);
   /** Whether the blocks have changed since the run started. */
-  private readonly edited = signal(false);
+  private readonly edited: Signal<boolean>;
   private ran: EditorContent | null = null;
   /** The failed block that the editor has scrolled to. */
   private revealed: string | null = null;
@@ -119,6 +119,9 @@ export class StudioControl {
 
   constructor(readonly open: OpenProgram) {
     this.storedUndo = new StoredUndo(open);
+    const ranVersion = this.mine.peek() ? robot.liveRun.peek()?.version_id : null;
+    const openVersion = open.program.version?.id;
+    this.edited = signal(Boolean(ranVersion && openVersion && ranVersion !== openVersion));
     this.missionSheet = new MissionSheet(open, this.mine);
     this.worlds = new WorldControl(open);
     this.start = new StartChoice(open, this.worlds);
@@ -166,8 +169,8 @@ export class StudioControl {
       this.cloud.listen(),
     ];
     return () => {
+      breakpoints.value = []; // those of the live run, too: another program shows none
       for (const stop of stops) stop();
-      breakpoints.value = [];
       this.editor = null;
     };
   }

@@ -28,14 +28,18 @@ export function enterGroup(group: Group): Promise<void> {
   return once(`enter ${group.id}`, () => enter(group));
 }
 
+let newest = 0;
+
 async function enter(group: Group): Promise<void> {
+  const own = ++newest;
   setClassroom(group.classroom_id ?? NO_CLASS);
   const [notes, activity] = await Promise.all([unseenNotes(group), activityOfLesson(group)]);
+  if (own !== newest) return; // another card was pressed meanwhile
   if (notes.length > 0) return go({ screen: "work", group: group.id });
   const program = activity
     ? await activitiesApi.begin(group.id, activity)
     : await newestProgram(group.id);
-  go({ screen: "studio", program: program.id });
+  if (own === newest) go({ screen: "studio", program: program.id });
 }
 
 async function newestProgram(group: string): Promise<Program> {
