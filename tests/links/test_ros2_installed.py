@@ -2,6 +2,7 @@
 
 import contextlib
 import math
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -70,6 +71,11 @@ def run_of(profile: RobotProfile, document: list[dict[str, Any]]) -> LiveRun:
 
 def moves(robot: RclpyProgram) -> bool:
     return any(twist != STANDSTILL for _, twist in robot.received[-3:])
+
+
+def has_moved_for_s(robot: RclpyProgram) -> float:
+    first_s = next((at_s for at_s, twist in robot.received if twist != STANDSTILL), math.inf)
+    return time.monotonic() - first_s
 
 
 @both_links
@@ -173,7 +179,8 @@ def test_a_robot_whose_heading_jumps_ends_the_run_as_one_that_was_carried(
 ) -> None:
     robot = begin()
     run = run_of(profile_of(kind, domain), FAR)
-    wait_for(lambda: moves(robot))
+    # for a second after the first command, what another program commanded before may still turn the robot
+    wait_for(lambda: has_moved_for_s(robot) > 1.5)
     robot.change(turned_rad=math.pi / 2)
     ended = run.result().ended
     assert (ended.state, ended.reason) == ("failed", "reference_lost")
