@@ -58,8 +58,9 @@ _RUNS = f"""theirs.program_id IN {_PROGRAM} AND theirs.group_id = {_GROUP}
 
 
 def merge_program(database: Database, path: Path) -> tuple[MergeReport, str]:
-    """Adds the new rows of a bundle with programs of one group; returns the report and the key of the newest program, of those outside
-    the bin if there are any.
+    """Adds the new rows of a bundle with programs of one group.
+
+    Returns the report, and the key of the newest program, which is one outside the bin if there is any.
 
     Raises:
         StoreError: `bundle_not_program` if it has no program, programs of several groups, or deletions; else as

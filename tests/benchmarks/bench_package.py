@@ -133,9 +133,9 @@ def test_the_package_starts_in_at_most_1_3_times_the_time_of_a_bare_window(tmp_p
     print(f"\nstart to usable workspace, median of {N_STARTS}; load {os.getloadavg()[0]:.1f}")
     medians = dict[str, float]()
     for name, all_of_it in times.items():
-        taken = all_of_it[1:]  # the first reads everything from the disk
-        medians[name] = statistics.median(taken)
-        print(f"{name}: {medians[name]:.2f} s ({min(taken):.2f} to {max(taken):.2f})")
+        rest = all_of_it[1:]  # the first reads everything from the disk
+        medians[name] = statistics.median(rest)
+        print(f"{name}: {medians[name]:.2f} s ({min(rest):.2f} to {max(rest):.2f})")
     to_bare = medians["package"] / medians["bare window"]
     to_source = medians["package"] / medians["source folder"]
     print(f"package: {to_bare:.2f} times the bare window, {to_source:.2f} times the source folder")
