@@ -1,9 +1,10 @@
 """Runs `pinel update` as a portable program does, and kills it in the middle; test_update.py looks at the folders.
 
-    python killed_update.py FOLDER ARCHIVE COPIES
+    python killed_update.py FOLDER ARCHIVE COPIES EXCHANGED
 
 FOLDER is a portable version. Each update is a child with a copy of it, COPIES/1, COPIES/2, …, which kills itself after
-one, two, … calls that change the disk. The last one is not killed.
+one, two, … calls that change the disk. The last one is not killed. EXCHANGED/380 is an empty file if update 380 has
+exchanged the folders: on a busy PC an update waits longer and makes more calls before that.
 """
 
 import os
@@ -31,46 +32,48 @@ _OF_SYSTEM = (
 class Killer:
     """Counts the calls that change something, and kills the process after one of them."""
 
-    def __init__(self, n_steps: int) -> None:
-        self._left = n_steps
+    def __init__(self, n_steps: int, exchanged: Path) -> None:
+        self._left, self._exchanged = n_steps, exchanged
 
     def __call__(self, frame: FrameType, event: str, called: Any) -> None:
         is_exchange = event == "return" and frame.f_code is _EXCHANGE
+        if is_exchange:
+            self._exchanged.touch()
         if is_exchange or (event == "c_return" and called in _OF_SYSTEM):
             self._left -= 1
             if not self._left:
                 os.kill(os.getpid(), signal.SIGKILL)
 
 
-def update(folder: Path, archive: str, n_steps: int) -> None:
+def update(folder: Path, archive: str, killer: Killer) -> None:
     """Plays the program of a portable version that is updated."""
     sys.frozen = True  # type: ignore[attr-defined]
     sys.executable = str(folder / "programa" / "pinel")
-    sys.setprofile(Killer(n_steps))
+    sys.setprofile(killer)
     try:
         main(["update", archive])
     finally:
         sys.setprofile(None)
 
 
-def is_killed(folder: Path, archive: str, n_steps: int) -> bool:
-    """Updates in a child that is killed after so many steps; returns False if it ends before."""
+def is_killed(folder: Path, archive: str, killer: Killer) -> bool:
+    """Updates in a child that the killer may kill; returns False if it ends before."""
     child = os.fork()
     if not child:
-        update(folder, archive, n_steps)
+        update(folder, archive, killer)
     return os.WIFSIGNALED(os.waitpid(child, 0)[1])
 
 
-def kill_at_each_step(folder: Path, archive: str, copies: Path) -> None:
+def kill_at_each_step(folder: Path, archive: str, copies: Path, exchanged: Path) -> None:
     warm_up()
     n_steps = 0
     while True:
         n_steps += 1
         copy = copies / str(n_steps)
         shutil.copytree(folder, copy)
-        if not is_killed(copy, archive, n_steps):
+        if not is_killed(copy, archive, Killer(n_steps, exchanged / copy.name)):
             return
 
 
 if __name__ == "__main__":
-    kill_at_each_step(Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3]))
+    kill_at_each_step(Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3]), Path(sys.argv[4]))

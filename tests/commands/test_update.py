@@ -348,20 +348,22 @@ def test_a_kill_at_any_step_leaves_one_of_the_two_programs_and_the_work(
     tmp_path: Path, folder: Path, release: Release, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     script = Path(__file__).with_name("killed_update.py")
-    copies = tmp_path / "copies"
+    copies, exchanged = tmp_path / "copies", tmp_path / "exchanged"
     copies.mkdir()
+    exchanged.mkdir()
     monkeypatch.delenv("PINEL_HOME", raising=False)
     file = release(_NEW)
-    command = [sys.executable, str(script), str(folder), str(file), str(copies)]
+    command = [sys.executable, str(script), *map(str, (folder, file, copies, exchanged))]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     work = rows(folder)
     versions = []
     for copy in sorted(copies.iterdir(), key=lambda path: int(path.name)):
         versions.append(said(copy / "programa"))
+        assert versions[-1] == (_NEW if (exchanged / copy.name).exists() else _OLD)
         assert rows(copy) == work
-    first_new = versions.index(_NEW)
-    assert versions == [_OLD] * first_new + [_NEW] * (len(versions) - first_new)
-    assert 30 < first_new < len(versions) - 3
+    assert versions.count(_OLD) > 30
+    assert versions.count(_NEW) > 3
+    assert versions[-1] == _NEW
     last = copies / str(len(versions))
     assert not (last / ".pinel-update").exists()
     assert groups(last)
