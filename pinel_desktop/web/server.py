@@ -20,7 +20,7 @@ HOST = "127.0.0.1"
 _OPEN_FILES = 4096  # more than the app needs; most systems allow a process 1,024 by default
 _MAX_WAITING = 256  # on Windows, `select` handles 512 sockets at most
 _DEFER_S = 1  # a connection without any byte is accepted after this time
-_LAST_REQUESTS_S = 1.0
+_LAST_REQUESTS_S = 1.0  # at the end, for requests in progress
 _BACKLOG = 128  # with a longer one the page would wait behind a flood of connections
 # Blockly nests each block in the block above it, two levels of JSON per block, and Python's JSON
 # parser recurses. This limit is enough for a stack of thousands of blocks.

@@ -184,7 +184,7 @@ def _refused_or_waiting(site: Site, client: socket.socket) -> bytes:
     return b""
 
 
-def test_closing_waits_for_the_requests_that_have_begun(
+def test_closing_waits_for_requests_in_progress(
     site: Site, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(server, "_LAST_REQUESTS_S", WAIT_S)

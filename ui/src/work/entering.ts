@@ -28,13 +28,14 @@ export function enterGroup(group: Group): Promise<void> {
   return once(`enter ${group.id}`, () => enter(group));
 }
 
+/** Number of the last card that was pressed: the answers for an earlier one may come later. */
 let newest = 0;
 
 async function enter(group: Group): Promise<void> {
   const own = ++newest;
   setClassroom(group.classroom_id ?? NO_CLASS);
   const [notes, activity] = await Promise.all([unseenNotes(group), activityOfLesson(group)]);
-  if (own !== newest) return; // another card was pressed meanwhile
+  if (own !== newest) return;
   if (notes.length > 0) return go({ screen: "work", group: group.id });
   const program = activity
     ? await activitiesApi.begin(group.id, activity)

@@ -198,7 +198,7 @@ function PracticeLink() {
 function BackToProgram() {
   const program = opened.value?.program;
   // the group before may have left its program open
-  if (program?.group_id !== group.value?.id || !program) return null;
+  if (!program || program.group_id !== group.value?.id) return null;
   return (
     <LinkButton
       icon={ArrowLeft}

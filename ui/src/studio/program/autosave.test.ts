@@ -175,6 +175,26 @@ test("a program that left the screen is saved as soon as that is possible", asyn
   expect(sent.at(-1)?.content).toEqual(content(1));
 });
 
+test("what a later try cannot save is not tried again by itself", async () => {
+  let n = 0;
+  const refused = new ApiError(413, {
+    code: "body_too_large",
+    message: "",
+    remedy: "",
+    params: {},
+  });
+  const autosave = new Autosave(async () => {
+    n += 1;
+    throw refused;
+  });
+  autosave.edit(content(1));
+  await vi.advanceTimersByTimeAsync(60_000);
+  expect([n, autosave.state.value]).toEqual([1, "failed"]);
+  autosave.edit(content(2));
+  await vi.advanceTimersByTimeAsync(300);
+  expect(n).toBe(2);
+});
+
 test.each([
   ["disk_full", true],
   ["database_locked", true],

@@ -75,7 +75,7 @@ export class Autosave {
     });
   }
 
-  /** Called when the program leaves the screen: saves now, and tries again until it succeeds. */
+  /** Called when the program leaves the screen: saves now, and tries again as long as that may help. */
   dispose(): void {
     void this.flush().catch(() => {});
   }
@@ -119,6 +119,7 @@ export class Autosave {
       return;
     }
     this.state.value = "failed";
+    if (!mayPass(error)) return; // `edit` and `flush` try again
     const delay = RETRY_MS[Math.min(this.failures, RETRY_MS.length - 1)] ?? 5000;
     this.failures += 1;
     this.schedule(delay);
