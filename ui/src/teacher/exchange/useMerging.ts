@@ -19,20 +19,27 @@ export function useMerging(onMerged: () => Promise<void>) {
     turn.current++;
     results.value = [];
   };
-  const mergeAll = async (paths: readonly string[]) => {
-    forget();
-    const mine = turn.current;
-    try {
-      for (const [index, path] of paths.entries()) {
-        progress.value = { n: index + 1, of: paths.length };
-        const merged = await asTeacher(() => exchange.merge(path));
-        if (merged && mine === turn.current) results.value = [...results.value, merged];
-      }
-    } finally {
-      progress.value = null;
-      void onMerged();
-    }
+  const last = useRef<Promise<void>>(Promise.resolve());
+  /** A deletion waits for the files that are still being merged, as it may change their results. */
+  const inSequence = (action: () => Promise<void>) => {
+    last.current = last.current.then(action, action);
+    return last.current;
   };
+  const mergeAll = (paths: readonly string[]) =>
+    inSequence(async () => {
+      forget();
+      const mine = turn.current;
+      try {
+        for (const [index, path] of paths.entries()) {
+          progress.value = { n: index + 1, of: paths.length };
+          const merged = await asTeacher(() => exchange.merge(path));
+          if (merged && mine === turn.current) results.value = [...results.value, merged];
+        }
+      } finally {
+        progress.value = null;
+        void onMerged();
+      }
+    });
   const mergeAgain = async (path: string, retained?: readonly string[]) => {
     const merged = await asTeacher(() => exchange.merge(path, retained));
     if (merged) replace(merged);
@@ -41,13 +48,14 @@ export function useMerging(onMerged: () => Promise<void>) {
    * Applies the deletion of the other PC, except for retained work. Then merges the files again that
    * had nothing new before: the deletion may have changed this.
    */
-  const deleteToo = async (deletedBy: string, retained: readonly string[]) => {
-    await mergeAgain(deletedBy, retained);
-    for (const { path, nothing_new, problem } of results.value) {
-      if (path !== deletedBy && nothing_new && !problem) await mergeAgain(path);
-    }
-    void onMerged();
-  };
+  const deleteToo = (deletedBy: string, retained: readonly string[]) =>
+    inSequence(async () => {
+      await mergeAgain(deletedBy, retained);
+      for (const { path, nothing_new, problem } of results.value) {
+        if (path !== deletedBy && nothing_new && !problem) await mergeAgain(path);
+      }
+      void onMerged();
+    });
   const declineDeletion = (merged: Merged) => replace({ ...merged, would_delete: null });
   /** Whether the result of a file is shown, with its question. */
   const isAsked = (path: string) =>
