@@ -32,9 +32,15 @@ interface Found {
   classes: Classroom[];
 }
 
+/** Loads what the screen shows: links that appeared later would move the buttons below them. */
+async function loadStart(): Promise<[Group[], Classroom[]]> {
+  const [found] = await Promise.all([groupsAndClasses(), loadTeacherSession().catch(report)]);
+  return found;
+}
+
 /** Shows the groups of a class with their pictures, and a field for a new group. */
 export function StartScreen() {
-  const found = useLoaded("start", groupsAndClasses);
+  const found = useLoaded("start", loadStart);
   const opened = useSignal("");
   const onLesson = (lesson: OpenedLesson) => {
     opened.value = openedText(lesson);
@@ -43,7 +49,6 @@ export function StartScreen() {
   useEffect(() => {
     group.value = null;
     program.value = null;
-    loadTeacherSession().catch(report);
   }, []);
   return (
     <Loaded of={found} as="screen" actions={<TeacherLink />}>
