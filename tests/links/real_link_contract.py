@@ -128,8 +128,10 @@ class RealLinkContract(LinkContract):
 
     def test_commands_are_repeated(self) -> None:
         link = self.open()
-        self.drive(link, AHEAD, 1.0)
-        assert len(self.peer.received) > 20
+        started_s = time.monotonic()
+        self.drive_until(link, AHEAD, lambda: len(self.peer.received) > 20)
+        at_s, _ = self.peer.received[20]
+        assert in_time(at_s - started_s, 1.0)
 
     def test_a_robot_that_falls_silent_is_lost_within_a_second_and_stopped(self) -> None:
         link = self.open()
