@@ -8,6 +8,7 @@ from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
 
+import psutil
 import pytest
 from click.testing import CliRunner, Result
 
@@ -236,6 +237,20 @@ def test_an_open_program_is_closed_in_words_also_one_that_does_not_listen(
         assert process.poll() is not None
     assert "PINEL is open and will be closed" in done.output
     assert said(folder / "programa") == _NEW
+
+
+@pytest.mark.waits
+def test_a_process_that_becomes_the_program_is_found(program: Path) -> None:
+    script = f"read line; exec '{program}' -c 'read line; :'"
+    with subprocess.Popen(["sh", "-c", script], stdin=subprocess.PIPE) as process:
+        assert running.running(program) == []
+        assert process.stdin is not None
+        process.stdin.write(b"\n")
+        process.stdin.flush()
+        while psutil.Process(process.pid).exe() != str(program):
+            assert process.poll() is None
+        assert [one.pid for one in running.running(program)] == [process.pid]
+        process.kill()
 
 
 @pytest.mark.waits

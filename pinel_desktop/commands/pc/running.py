@@ -13,6 +13,7 @@ _PERIOD_S = 0.1
 
 def running(program: Path) -> list[psutil.Process]:
     """Returns the processes of a program, other than this process and those that started it."""
+    psutil.process_iter.cache_clear()  # a process that it remembers may execute another program now
     own = {psutil.Process().pid, *(parent.pid for parent in psutil.Process().parents())}
     return [one for one in psutil.process_iter() if one.pid not in own and _is_of(one, program)]
 
